@@ -1,0 +1,2 @@
+//! The `sbgc` command-line tool.
+fn main() {}

@@ -1,0 +1,1 @@
+//! Async driver for SimpleBGC32 boards.

@@ -1,0 +1,1 @@
+//! Framing of both protocol versions: bytes to frames and back. Knows no message.

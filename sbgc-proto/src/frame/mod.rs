@@ -1,1 +1,173 @@
-//! Framing of both protocol versions: bytes to frames and back. Knows no message.
+//! Framing of both protocol versions: bytes to frames and back.
+//!
+//! ```text
+//!            0       1    2      3            4            4+N
+//!  V1  0x3E '>'   | id | N | id + N | payload, N bytes | sum of the payload
+//!  V2  0x24 '$'   | id | N | id + N | payload, N bytes | CRC16, low byte first
+//!                 '---------- covered by the CRC ----------'
+//!
+//!  bytes ──► Decoder ──► Event::Frame, Event::Skipped         chunks of any size
+//!               └─ scan ── one candidate, judged               pure, one slice
+//!                    └─ checksum
+//!  id, payload ──► encode_into, encode_with, append ──► bytes
+//! ```
+//!
+//! Here live the layout of a frame, its checks and the way back into step after noise. What a payload
+//! means, when a gap between bytes is too long and how bytes are moved belong elsewhere: this module knows
+//! no message, no clock and no port.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::cast_possible_truncation
+    )
+)]
+
+pub mod checksum;
+mod scan;
+
+pub use scan::{Cause, Scan, scan};
+
+/// The longest payload in bytes that a frame can announce.
+pub const MAX_PAYLOAD: usize = 255;
+
+/// The longest frame in bytes: version 2 around a payload of [`MAX_PAYLOAD`].
+pub const MAX_FRAME: usize = Version::V2.frame_len(MAX_PAYLOAD);
+
+/// Size in bytes of the input buffer of a board.
+///
+/// A frame that does not fit what is free of it is lost as a whole, so no frame to a board should be longer.
+/// See [`Version::safe_payload`].
+pub const BOARD_BUFFER: usize = 255;
+
+/// Start byte, id, size and header checksum.
+const HEADER: usize = 4;
+
+/// The version of a frame.
+///
+/// A board takes both until it sees the first valid frame of version 2, and from then on only version 2.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Version {
+    /// Payload checked by the sum of its bytes. Every firmware knows it.
+    V1,
+    /// Header and payload checked by a CRC16. Firmware 2.68b0 and newer.
+    V2,
+}
+
+impl Version {
+    /// The byte a frame of this version starts with.
+    pub const fn start_byte(self) -> u8 {
+        match self {
+            Self::V1 => b'>',
+            Self::V2 => b'$',
+        }
+    }
+
+    /// The version whose frames start with `byte`, if there is one.
+    pub const fn from_start_byte(byte: u8) -> Option<Self> {
+        match byte {
+            b'>' => Some(Self::V1),
+            b'$' => Some(Self::V2),
+            _ => None,
+        }
+    }
+
+    /// Number of bytes of a frame that are not payload: 5 or 6.
+    pub const fn overhead(self) -> usize {
+        match self {
+            Self::V1 => HEADER + 1,
+            Self::V2 => HEADER + 2,
+        }
+    }
+
+    /// Length in bytes of a frame around a payload of `payload` bytes.
+    pub const fn frame_len(self, payload: usize) -> usize {
+        self.overhead() + payload
+    }
+
+    /// The longest payload in bytes whose frame fits the [input buffer of a board](BOARD_BUFFER): 250 in
+    /// version 1, 249 in version 2.
+    ///
+    /// The encoders do not enforce it, for a frame from a board, or between programs, may be longer.
+    pub const fn safe_payload(self) -> usize {
+        BOARD_BUFFER - self.overhead()
+    }
+}
+
+/// Which versions a decoder accepts. The start byte of any other counts as noise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Versions {
+    /// Every version.
+    #[default]
+    Both,
+    /// This one and no other.
+    Only(Version),
+}
+
+impl Versions {
+    /// Whether frames of `version` are accepted.
+    pub const fn accepts(self, version: Version) -> bool {
+        match (self, version) {
+            (Self::Both, _)
+            | (Self::Only(Version::V1), Version::V1)
+            | (Self::Only(Version::V2), Version::V2) => true,
+            (Self::Only(_), _) => false,
+        }
+    }
+
+    /// The accepted version whose frames start with `byte`, if there is one.
+    const fn of_start_byte(self, byte: u8) -> Option<Version> {
+        match Version::from_start_byte(byte) {
+            Some(version) if self.accepts(version) => Some(version),
+            _ => None,
+        }
+    }
+}
+
+/// One frame with its checks passed, in the version and with the payload bytes it had on the wire.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Frame<'a> {
+    /// The version it came in.
+    pub version: Version,
+    /// Command id, 1..=255.
+    pub id: u8,
+    /// The payload, 0..=255 bytes.
+    pub payload: &'a [u8],
+}
+
+impl Frame<'_> {
+    /// Length in bytes of the whole frame on the wire.
+    pub const fn encoded_len(&self) -> usize {
+        self.version.frame_len(self.payload.len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lengths() {
+        assert_eq!(MAX_FRAME, 261);
+        assert_eq!((Version::V1.overhead(), Version::V2.overhead()), (5, 6));
+        assert_eq!((Version::V1.safe_payload(), Version::V2.safe_payload()), (250, 249));
+        assert_eq!(Frame { version: Version::V2, id: 1, payload: &[0; 3] }.encoded_len(), 9);
+    }
+
+    #[test]
+    fn start_bytes() {
+        for version in [Version::V1, Version::V2] {
+            assert_eq!(Version::from_start_byte(version.start_byte()), Some(version));
+            assert_eq!(Versions::Only(version).of_start_byte(version.start_byte()), Some(version));
+        }
+        assert_eq!((0..=255).filter(|&byte| Version::from_start_byte(byte).is_some()).count(), 2);
+        assert_eq!(Versions::Only(Version::V2).of_start_byte(b'>'), None);
+        assert_eq!(Versions::Only(Version::V1).of_start_byte(b'$'), None);
+    }
+}

@@ -15,6 +15,17 @@
 //! Here live the layout of a frame, its checks and the way back into step after noise. What a payload
 //! means, when a gap between bytes is too long and how bytes are moved belong elsewhere: this module knows
 //! no message, no clock and no port.
+//!
+//! # Encoding
+//!
+//! ```
+//! use sbgc_proto::frame::{self, Version};
+//!
+//! let mut out = [0; frame::MAX_FRAME];
+//! let bytes = frame::encode_into(Version::V1, 82, &[1], &mut out)?;
+//! assert_eq!(bytes, [0x3E, 82, 1, 83, 1, 1]);
+//! # Ok::<(), frame::EncodeFrameError>(())
+//! ```
 #![cfg_attr(
     not(test),
     deny(
@@ -27,8 +38,10 @@
 )]
 
 pub mod checksum;
+mod encode;
 mod scan;
 
+pub use encode::{EncodeFrameError, append, encode_into, encode_with};
 pub use scan::{Cause, Scan, scan};
 
 /// The longest payload in bytes that a frame can announce.

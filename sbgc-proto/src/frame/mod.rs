@@ -16,6 +16,30 @@
 //! means, when a gap between bytes is too long and how bytes are moved belong elsewhere: this module knows
 //! no message, no clock and no port.
 //!
+//! # Decoding
+//!
+//! ```
+//! use sbgc_proto::frame::{Cause, Decoder, Event, Frame, Skipped, Version, Versions};
+//!
+//! let mut decoder = Decoder::new(Versions::Both);
+//! let mut seen = 0;
+//! // Noise, then "read profile 2" in version 2, cut in the middle by the reader's buffer.
+//! for mut chunk in [&b"\xFF\x24\x52\x01"[..], b"\x53\x01\x12\x3D"] {
+//!     while let Some(event) = decoder.next(&mut chunk) {
+//!         match event {
+//!             Event::Skipped(skipped) => {
+//!                 assert_eq!(skipped, Skipped { at: 0, length: 1, cause: Cause::NoStartByte });
+//!             }
+//!             Event::Frame { at, frame } => {
+//!                 assert_eq!((at, frame), (1, Frame { version: Version::V2, id: 82, payload: &[1] }));
+//!                 seen += 1;
+//!             }
+//!         }
+//!     }
+//! }
+//! assert_eq!(seen, 1);
+//! ```
+//!
 //! # Encoding
 //!
 //! ```
@@ -38,9 +62,12 @@
 )]
 
 pub mod checksum;
+mod decoder;
 mod encode;
+mod pending;
 mod scan;
 
+pub use decoder::{Counters, Decoder, Event, Skipped};
 pub use encode::{EncodeFrameError, append, encode_into, encode_with};
 pub use scan::{Cause, Scan, scan};
 

@@ -1,0 +1,341 @@
+//! Frames out of a stream that comes in chunks.
+
+use super::pending::Pending;
+use super::scan::{Header, Measure, measure};
+use super::{Cause, Frame, Versions};
+
+/// What the [`Decoder`] found next in the stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub enum Event<'a> {
+    /// A frame.
+    Frame {
+        /// Where it starts, in bytes from the start of the stream.
+        at: u64,
+        /// The frame.
+        frame: Frame<'a>,
+    },
+    /// Bytes that belong to no frame.
+    Skipped(Skipped),
+}
+
+/// Bytes that belong to no frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Skipped {
+    /// Where they start, in bytes from the start of the stream.
+    pub at: u64,
+    /// How many they are, at least 1.
+    pub length: usize,
+    /// Why they were skipped.
+    pub cause: Cause,
+}
+
+impl Skipped {
+    /// This and `next` as one, if `next` follows without a gap and has the same cause.
+    ///
+    /// The decoder reports at once what it skips, so a run of noise that was cut into chunks comes in as many
+    /// pieces. Joined, the pieces no longer show where the cuts were.
+    pub fn join(self, next: Self) -> Option<Self> {
+        let adjacent = self.at.checked_add(self.length as u64) == Some(next.at) && self.cause == next.cause;
+        adjacent.then(|| Self { length: self.length.saturating_add(next.length), ..self })
+    }
+}
+
+/// What became of all bytes so far.
+///
+/// `bytes()` here plus [`Decoder::pending`] is the number of bytes the decoder was given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Counters {
+    /// Number of frames.
+    pub frames: u64,
+    /// Bytes in those frames.
+    pub frame_bytes: u64,
+    /// Bytes skipped for [`Cause::NoStartByte`].
+    pub no_start_byte: u64,
+    /// Bytes skipped for [`Cause::HeaderChecksum`]: one for each refused header.
+    pub header_checksum: u64,
+    /// Bytes skipped for [`Cause::PayloadChecksum`]: one for each refused payload.
+    pub payload_checksum: u64,
+    /// Bytes skipped for [`Cause::Truncated`]: one for each frame that was given up.
+    pub truncated: u64,
+}
+
+impl Counters {
+    /// Bytes skipped for `cause`.
+    pub const fn skipped_for(&self, cause: Cause) -> u64 {
+        match cause {
+            Cause::NoStartByte => self.no_start_byte,
+            Cause::HeaderChecksum => self.header_checksum,
+            Cause::PayloadChecksum => self.payload_checksum,
+            Cause::Truncated => self.truncated,
+        }
+    }
+
+    /// Bytes skipped for whatever cause.
+    pub const fn skipped(&self) -> u64 {
+        self.no_start_byte + self.header_checksum + self.payload_checksum + self.truncated
+    }
+
+    /// Bytes in frames and bytes skipped.
+    pub const fn bytes(&self) -> u64 {
+        self.frame_bytes + self.skipped()
+    }
+
+    fn skip(&mut self, length: usize, cause: Cause) -> Skipped {
+        let at = self.bytes();
+        let counter = match cause {
+            Cause::NoStartByte => &mut self.no_start_byte,
+            Cause::HeaderChecksum => &mut self.header_checksum,
+            Cause::PayloadChecksum => &mut self.payload_checksum,
+            Cause::Truncated => &mut self.truncated,
+        };
+        *counter += length as u64;
+        Skipped { at, length, cause }
+    }
+
+    /// Counts a frame and says where it started.
+    fn frame(&mut self, header: Header) -> u64 {
+        let at = self.bytes();
+        self.frames += 1;
+        self.frame_bytes += header.frame_len() as u64;
+        at
+    }
+}
+
+/// Finds frames in a stream that comes in chunks of any size.
+///
+/// It allocates nothing. A frame that lies whole in the caller's chunk is lent from there; only one that
+/// straddles chunks is put together in the decoder's own buffer, which holds the longest frame. How the
+/// stream is cut changes neither the frames nor what is skipped, only in how many pieces a run of noise is
+/// reported (see [`Skipped::join`]).
+///
+/// Time is not its business. A start byte in noise may announce 255 bytes that never come, so a driver should
+/// look at [`pending`](Self::pending) when [`next`](Self::next) has returned `None` and, after a gap too long
+/// for one inside a frame, call [`skip_candidate`](Self::skip_candidate).
+///
+/// The work for one byte is bounded: it is checked as part of at most one candidate for each of the 260
+/// bytes before it, and of one, as a rule.
+///
+/// # Borrowing
+/// An event may point into the decoder, so it must be gone before the next call:
+///
+/// ```compile_fail,E0499
+/// use sbgc_proto::frame::{Decoder, Versions};
+///
+/// let mut decoder = Decoder::new(Versions::Both);
+/// let mut chunk = &b"\x3E\x56\x00\x56\x00\x3E\x56\x00\x56\x00"[..];
+/// let first = decoder.next(&mut chunk);
+/// let second = decoder.next(&mut chunk);
+/// assert!(first.is_some());
+/// ```
+///
+/// and so must the chunk stay while it lives:
+///
+/// ```compile_fail,E0597
+/// use sbgc_proto::frame::{Decoder, Versions};
+///
+/// let mut decoder = Decoder::new(Versions::Both);
+/// let first = {
+///     let bytes = [0x3E, 0x56, 0x00, 0x56, 0x00];
+///     decoder.next(&mut &bytes[..])
+/// };
+/// assert!(first.is_some());
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Decoder {
+    versions: Versions,
+    /// Between calls: empty, or bytes of earlier chunks that no event has told of.
+    pending: Pending,
+    counters: Counters,
+}
+
+impl Decoder {
+    /// A decoder at the start of a stream.
+    pub const fn new(versions: Versions) -> Self {
+        let counters = Counters {
+            frames: 0,
+            frame_bytes: 0,
+            no_start_byte: 0,
+            header_checksum: 0,
+            payload_checksum: 0,
+            truncated: 0,
+        };
+        Self { versions, pending: Pending::new(), counters }
+    }
+
+    /// The next event, or `None` once `input` is used up.
+    ///
+    /// Moves `input` on past what was used: after an event the caller may stop, and goes on later with what
+    /// `input` then holds. With an empty `input` it tells what can be told without more bytes.
+    ///
+    /// ```
+    /// use sbgc_proto::frame::{Decoder, Event, Versions};
+    ///
+    /// let mut decoder = Decoder::new(Versions::Both);
+    /// let mut chunk = &b"\x3E\x56\x00\x56\x00\x3E\x19"[..];
+    /// let event = decoder.next(&mut chunk);
+    /// assert!(matches!(event, Some(Event::Frame { at: 0, frame }) if frame.id == 0x56));
+    /// assert_eq!(decoder.next(&mut chunk), None);
+    /// assert_eq!((chunk, decoder.pending()), (&[][..], 2));
+    /// ```
+    // The two lifetimes are apart so that a loop can call it again with the same cursor.
+    pub fn next<'a, 'c: 'a>(&'a mut self, input: &mut &'c [u8]) -> Option<Event<'a>> {
+        if self.pending.is_empty() { self.next_from_chunk(input) } else { self.next_from_pending(input) }
+    }
+
+    fn next_from_chunk<'c>(&mut self, input: &mut &'c [u8]) -> Option<Event<'c>> {
+        let chunk = *input;
+        match measure(chunk, self.versions) {
+            Measure::Frame(header) => {
+                advance(input, header.frame_len());
+                Some(Event::Frame { at: self.counters.frame(header), frame: header.frame(chunk) })
+            }
+            Measure::Skip { used, cause } => {
+                advance(input, used);
+                Some(Event::Skipped(self.counters.skip(used, cause)))
+            }
+            Measure::NeedMore { .. } => {
+                let copied = self.pending.fill_to(chunk.len(), chunk);
+                advance(input, copied);
+                None
+            }
+        }
+    }
+
+    fn next_from_pending(&mut self, input: &mut &[u8]) -> Option<Event<'_>> {
+        // Bytes copied from `input` are not used up before it is clear that the candidate needs them: if it is
+        // refused, whatever hides behind its start byte may lie whole in the chunk.
+        let mut copied = 0;
+        loop {
+            match measure(self.pending.as_slice(), self.versions) {
+                Measure::Frame(header) => {
+                    advance(input, copied);
+                    let at = self.counters.frame(header);
+                    let frame = header.frame(self.pending.take(header.frame_len()));
+                    return Some(Event::Frame { at, frame });
+                }
+                Measure::Skip { used, cause } => {
+                    self.pending.give_back(copied);
+                    self.pending.take(used);
+                    return Some(Event::Skipped(self.counters.skip(used, cause)));
+                }
+                Measure::NeedMore { at_least } => {
+                    let more = self.pending.fill_to(at_least, input.get(copied..).unwrap_or_default());
+                    copied += more;
+                    if more == 0 {
+                        advance(input, copied);
+                        return None;
+                    }
+                }
+            }
+        }
+    }
+
+    /// The next event at the end of the stream, or `None` once all bytes are told of.
+    ///
+    /// A frame without its end is skipped as [`Cause::Truncated`], one start byte a time, so that the frames
+    /// that hide behind a false start byte come out. The decoder can be used on: offsets and counters go on.
+    ///
+    /// ```
+    /// use sbgc_proto::frame::{Cause, Decoder, Event, Skipped, Versions};
+    ///
+    /// let mut decoder = Decoder::new(Versions::Both);
+    /// // A false start that announces 9 bytes, and a frame behind it.
+    /// let mut input = &b"\x3E\x01\x09\x0A\x3E\x56\x00\x56\x00"[..];
+    /// assert_eq!(decoder.next(&mut input), None);
+    ///
+    /// let truncated = Skipped { at: 0, length: 1, cause: Cause::Truncated };
+    /// assert_eq!(decoder.finish(), Some(Event::Skipped(truncated)));
+    /// let noise = Skipped { at: 1, length: 3, cause: Cause::NoStartByte };
+    /// assert_eq!(decoder.finish(), Some(Event::Skipped(noise)));
+    /// assert!(matches!(decoder.finish(), Some(Event::Frame { at: 4, .. })));
+    /// assert_eq!(decoder.finish(), None);
+    /// ```
+    pub fn finish(&mut self) -> Option<Event<'_>> {
+        match measure(self.pending.as_slice(), self.versions) {
+            Measure::Frame(header) => {
+                let at = self.counters.frame(header);
+                let frame = header.frame(self.pending.take(header.frame_len()));
+                Some(Event::Frame { at, frame })
+            }
+            Measure::Skip { used, cause } => {
+                self.pending.take(used);
+                Some(Event::Skipped(self.counters.skip(used, cause)))
+            }
+            Measure::NeedMore { .. } => self.skip_candidate().map(Event::Skipped),
+        }
+    }
+
+    /// Gives up the frame whose bytes have stopped coming and says what was skipped: its start byte.
+    ///
+    /// What came after that byte stays pending and is looked at again by the next call of
+    /// [`next`](Self::next), which needs no new bytes for it. There may be frames in it, and also the next
+    /// candidate that waits, whose bytes may yet come: whoever wants to end that one too calls again.
+    ///
+    /// `None`, and nothing changes, if no candidate waits for bytes: nothing is pending, or what is pending
+    /// can be told of by `next` first.
+    ///
+    /// ```
+    /// use sbgc_proto::frame::{Decoder, Event, Versions};
+    ///
+    /// let mut decoder = Decoder::new(Versions::Both);
+    /// // A false start that announces 200 bytes, then a frame, then silence.
+    /// let mut input = &b"\x24\x20\xC8\xE8\x3E\x56\x00\x56\x00"[..];
+    /// assert_eq!(decoder.next(&mut input), None);
+    ///
+    /// assert_eq!(decoder.skip_candidate().map(|skipped| skipped.length), Some(1));
+    /// let mut ids = [0; 1];
+    /// while let Some(event) = decoder.next(&mut &[][..]) {
+    ///     if let Event::Frame { frame, .. } = event {
+    ///         ids[0] = frame.id;
+    ///     }
+    /// }
+    /// assert_eq!(ids, [0x56]);
+    /// ```
+    pub fn skip_candidate(&mut self) -> Option<Skipped> {
+        match measure(self.pending.as_slice(), self.versions) {
+            Measure::NeedMore { .. } if !self.pending.is_empty() => {
+                self.pending.take(1);
+                Some(self.counters.skip(1, Cause::Truncated))
+            }
+            _ => None,
+        }
+    }
+
+    /// Bytes taken from the input that no event has told of, at most 260 after [`next`](Self::next) returned
+    /// `None`. If it did and this is not 0, a candidate waits for its bytes.
+    pub fn pending(&self) -> usize {
+        self.pending.len()
+    }
+
+    /// Where the next event will start, in bytes from the start of the stream.
+    pub const fn position(&self) -> u64 {
+        self.counters.bytes()
+    }
+
+    /// What became of all bytes since the start or the last [`reset`](Self::reset).
+    pub const fn counters(&self) -> Counters {
+        self.counters
+    }
+
+    /// The versions that are accepted.
+    pub const fn versions(&self) -> Versions {
+        self.versions
+    }
+
+    /// Accepts `versions` from the next byte on that no event has told of.
+    pub const fn set_versions(&mut self, versions: Versions) {
+        self.versions = versions;
+    }
+
+    /// Forgets the pending bytes and the counters and starts a new stream at position 0.
+    pub fn reset(&mut self) {
+        *self = Self::new(self.versions);
+    }
+}
+
+fn advance(input: &mut &[u8], count: usize) {
+    *input = input.get(count..).unwrap_or_default();
+}

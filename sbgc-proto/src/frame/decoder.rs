@@ -339,3 +339,18 @@ impl Decoder {
 fn advance(input: &mut &[u8], count: usize) {
     *input = input.get(count..).unwrap_or_default();
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_pieces_that_touch_are_joined() {
+        let first = Skipped { at: 5, length: 2, cause: Cause::NoStartByte };
+        let next = Skipped { at: 7, length: 3, ..first };
+        assert_eq!(first.join(next), Some(Skipped { length: 5, ..first }));
+        assert_eq!(first.join(Skipped { at: 8, ..next }), None);
+        assert_eq!(first.join(Skipped { cause: Cause::Truncated, ..next }), None);
+        assert_eq!(next.join(first), None);
+    }
+}

@@ -1,0 +1,169 @@
+//! Any stream in any chunks: no panic, progress on every step, every byte accounted for, and the frames of
+//! the one-shot scan; gaps at any moment keep the account.
+//!
+//! Input: a byte of options, a byte that seeds chunk sizes and gaps, then the stream.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use sbgc_proto::frame::{
+    Cause, Decoder, Event, MAX_FRAME, Scan, Skipped, Version, Versions, encode_into, scan,
+};
+
+/// The stream is a row of recipes for frames and noise: the way past checksums, which chance seldom finds.
+const RECIPES: u8 = 0x04;
+/// The driver sees gaps and gives candidates up.
+const GAPS: u8 = 0x08;
+
+#[derive(Debug, PartialEq)]
+enum Seen {
+    Frame { at: u64, version: Version, id: u8, payload: Vec<u8> },
+    Skipped(Skipped),
+}
+
+fuzz_target!(|data: &[u8]| {
+    let [options, seed, stream @ ..] = data else { return };
+    let versions = match options & 0x03 {
+        0 => Versions::Only(Version::V1),
+        1 => Versions::Only(Version::V2),
+        _ => Versions::Both,
+    };
+    let cooked;
+    let stream = if options & RECIPES == 0 {
+        stream
+    } else {
+        cooked = cook(stream);
+        &cooked
+    };
+
+    let mut dice = Dice(u32::from(*seed) + 1);
+    let gaps = options & GAPS != 0;
+    let seen = chunked(stream, versions, gaps, &mut dice);
+    if !gaps {
+        assert_eq!(seen, one_shot(stream, versions));
+    }
+});
+
+/// Recipes: a kind, a length and that many bytes. Kinds are noise, a frame, or a frame with a bad check.
+fn cook(mut recipes: &[u8]) -> Vec<u8> {
+    let mut stream = Vec::new();
+    while let [kind, length, rest @ ..] = recipes {
+        let (bytes, rest) = rest.split_at(rest.len().min(usize::from(*length)));
+        recipes = rest;
+        let version = if kind & 1 == 0 { Version::V1 } else { Version::V2 };
+        let mut out = [0; MAX_FRAME];
+        match (kind >> 1 & 0x03, encode_into(version, kind | 1, bytes, &mut out)) {
+            (1 | 2, Ok(frame)) => stream.extend_from_slice(frame),
+            (3, Ok(frame)) => {
+                stream.extend_from_slice(frame);
+                if let Some(last) = stream.last_mut() {
+                    *last ^= 0x55;
+                }
+            }
+            _ => stream.extend_from_slice(bytes),
+        }
+    }
+    stream
+}
+
+fn chunked(stream: &[u8], versions: Versions, gaps: bool, dice: &mut Dice) -> Vec<Seen> {
+    let mut decoder = Decoder::new(versions);
+    let mut seen = Vec::new();
+    let mut fed = 0;
+    while fed < stream.len() {
+        let sizes = [1, 2, 7, 64, 300, 1000];
+        let most = sizes[dice.below(sizes.len())];
+        let size = 1 + dice.below(most);
+        let end = stream.len().min(fed + size);
+        let mut rest = &stream[fed..end];
+        loop {
+            if gaps && dice.below(8) == 0 {
+                if let Some(skipped) = decoder.skip_candidate() {
+                    push(&mut seen, Event::Skipped(skipped));
+                }
+                account(&decoder, fed);
+            }
+            let before = decoder.position();
+            let event = decoder.next(&mut rest);
+            let more = event.is_some();
+            if let Some(event) = event {
+                push(&mut seen, event);
+            }
+            fed = end - rest.len();
+            account(&decoder, fed);
+            if !more {
+                break;
+            }
+            assert!(decoder.position() > before, "no progress");
+        }
+        assert!(rest.is_empty() && decoder.pending() < MAX_FRAME);
+    }
+    while let Some(event) = decoder.finish() {
+        push(&mut seen, event);
+    }
+    assert_eq!(decoder.pending(), 0);
+    account(&decoder, fed);
+
+    let total = |wanted: Option<Cause>| -> u64 {
+        let length = |seen: &Seen| match seen {
+            Seen::Skipped(skipped) if Some(skipped.cause) == wanted => skipped.length as u64,
+            Seen::Frame { version, payload, .. } if wanted.is_none() => {
+                version.frame_len(payload.len()) as u64
+            }
+            _ => 0,
+        };
+        seen.iter().map(length).sum()
+    };
+    assert_eq!(decoder.counters().frame_bytes, total(None));
+    for cause in Cause::ALL {
+        assert_eq!(decoder.counters().skipped_for(cause), total(Some(cause)));
+    }
+    seen
+}
+
+fn one_shot(stream: &[u8], versions: Versions) -> Vec<Seen> {
+    let (mut seen, mut at) = (Vec::new(), 0);
+    while at < stream.len() {
+        let skipped = |length, cause| Event::Skipped(Skipped { at: at as u64, length, cause });
+        let (event, used) = match scan(&stream[at..], versions) {
+            Scan::Frame { frame, used } => (Event::Frame { at: at as u64, frame }, used),
+            Scan::Skip { used, cause } => (skipped(used, cause), used),
+            Scan::NeedMore { .. } => (skipped(1, Cause::Truncated), 1),
+        };
+        push(&mut seen, event);
+        at += used;
+    }
+    seen
+}
+
+fn account(decoder: &Decoder, fed: usize) {
+    assert_eq!(decoder.position() + decoder.pending() as u64, fed as u64);
+}
+
+/// Keeps `event`, joined with the one before where only a cut parts them.
+fn push(seen: &mut Vec<Seen>, event: Event<'_>) {
+    let event = match event {
+        Event::Frame { at, frame } => {
+            Seen::Frame { at, version: frame.version, id: frame.id, payload: frame.payload.to_vec() }
+        }
+        Event::Skipped(skipped) => Seen::Skipped(skipped),
+    };
+    if let (Some(Seen::Skipped(last)), Seen::Skipped(next)) = (seen.last_mut(), &event)
+        && let Some(joined) = last.join(*next)
+    {
+        *last = joined;
+        return;
+    }
+    seen.push(event);
+}
+
+/// A small generator (xorshift), so that one byte of input stands for a whole way of cutting.
+struct Dice(u32);
+
+impl Dice {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 17;
+        self.0 ^= self.0 << 5;
+        self.0 as usize % limit
+    }
+}

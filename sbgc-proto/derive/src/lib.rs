@@ -1,1 +1,0 @@
-//! The derive macro of `sbgc-proto`.

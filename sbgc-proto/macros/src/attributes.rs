@@ -1,0 +1,226 @@
+//! What may be said in `#[message(…)]`, `#[record(…)]` and `#[wire(…)]`, parsed, with an error at the place of
+//! whatever is not understood.
+
+use proc_macro2::{Ident, Span, TokenStream};
+use syn::parse::{Parse, ParseStream};
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Error, Expr, LitInt, LitStr, Pat, RangeLimits, Result, Token, Type, parenthesized};
+
+/// Payload bytes as declared: both ends inclusive.
+pub(crate) struct Size {
+    pub(crate) min: usize,
+    pub(crate) max: usize,
+}
+
+impl Parse for Size {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let min: LitInt = input.parse()?;
+        let max = if input.peek(Token![..=]) {
+            input.parse::<Token![..=]>()?;
+            input.parse::<LitInt>()?.base10_parse()?
+        } else {
+            min.base10_parse()?
+        };
+        let size = Size { min: min.base10_parse()?, max };
+        if size.max > 255 || size.min > size.max {
+            return Err(Error::new(min.span(), "a payload has 0..=255 bytes, the smaller number first"));
+        }
+        Ok(size)
+    }
+}
+
+/// `context(name: Type)`.
+pub(crate) struct Context {
+    pub(crate) name: Ident,
+    pub(crate) ty: Type,
+}
+
+/// The arguments of `#[message]` and `#[record]`; the command is there for messages only.
+pub(crate) struct Arguments {
+    pub(crate) command: Option<Ident>,
+    pub(crate) outgoing: bool,
+    pub(crate) size: Option<Size>,
+    pub(crate) form: String,
+    pub(crate) lengths: Option<Pat>,
+    pub(crate) answer: Option<Type>,
+    pub(crate) since: Option<String>,
+    pub(crate) context: Option<Context>,
+}
+
+impl Arguments {
+    pub(crate) fn parse_message(tokens: TokenStream) -> Result<Self> {
+        let arguments =
+            syn::parse::Parser::parse2(|input: ParseStream<'_>| Self::parse(input, true), tokens)?;
+        if arguments.size.is_none() {
+            return Err(Error::new(
+                Span::call_site(),
+                "say how long the payload is: `size = N` or `size = A..=B`",
+            ));
+        }
+        Ok(arguments)
+    }
+
+    pub(crate) fn parse_record(tokens: TokenStream) -> Result<Self> {
+        syn::parse::Parser::parse2(|input: ParseStream<'_>| Self::parse(input, false), tokens)
+    }
+
+    fn parse(input: ParseStream<'_>, is_message: bool) -> Result<Self> {
+        let mut arguments = Arguments {
+            command: None,
+            outgoing: false,
+            size: None,
+            form: String::from("full"),
+            lengths: None,
+            answer: None,
+            since: None,
+            context: None,
+        };
+        let mut directions = 0;
+        if is_message {
+            arguments.command = Some(input.parse()?);
+            if !input.is_empty() {
+                input.parse::<Token![,]>()?;
+            }
+        }
+        while !input.is_empty() {
+            let key: Ident = input.parse()?;
+            match key.to_string().as_str() {
+                "outgoing" if is_message => {
+                    directions += 1;
+                    arguments.outgoing = true;
+                }
+                "incoming" if is_message => directions += 1,
+                "size" => arguments.size = Some(value(input)?),
+                "form" if is_message => arguments.form = value::<LitStr>(input)?.value(),
+                "length" if is_message => {
+                    input.parse::<Token![=]>()?;
+                    arguments.lengths = Some(Pat::parse_multi(input)?);
+                }
+                "answer" if is_message => arguments.answer = Some(value(input)?),
+                "since" => arguments.since = Some(value::<LitStr>(input)?.value()),
+                "context" => {
+                    let inner;
+                    parenthesized!(inner in input);
+                    let name = inner.parse()?;
+                    inner.parse::<Token![:]>()?;
+                    arguments.context = Some(Context { name, ty: inner.parse()? });
+                }
+                other => return Err(Error::new(key.span(), format!("`{other}` means nothing here"))),
+            }
+            if !input.is_empty() {
+                input.parse::<Token![,]>()?;
+            }
+        }
+        if is_message && directions != 1 {
+            return Err(Error::new(Span::call_site(), "say either `outgoing` or `incoming`"));
+        }
+        Ok(arguments)
+    }
+}
+
+fn value<T: Parse>(input: ParseStream<'_>) -> Result<T> {
+    input.parse::<Token![=]>()?;
+    input.parse()
+}
+
+/// How many elements a list has.
+pub(crate) enum Count {
+    /// A count byte in front, with the spec's name of it.
+    Prefix(String),
+    /// As many as the expression says.
+    Exactly(Expr),
+    /// As many as the expression says, or fewer where the payload ends.
+    AtMost(Expr),
+}
+
+/// The arguments of a field's or variant's `#[wire(…)]`.
+#[derive(Default)]
+pub(crate) struct FieldArguments {
+    pub(crate) spec: Option<String>,
+    pub(crate) unit: Option<String>,
+    pub(crate) range: Option<(Expr, Expr)>,
+    pub(crate) since: Option<String>,
+    pub(crate) when: Option<Expr>,
+    pub(crate) context: Option<Expr>,
+    pub(crate) count: Option<Count>,
+}
+
+impl FieldArguments {
+    /// Takes the `#[wire]` attributes out of `attributes`.
+    pub(crate) fn take(attributes: &mut Vec<Attribute>) -> Result<Self> {
+        let mut arguments = Self::default();
+        for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("wire")) {
+            for entry in attribute.parse_args_with(Punctuated::<Entry, Token![,]>::parse_terminated)? {
+                arguments.set(entry)?;
+            }
+        }
+        attributes.retain(|attribute| !attribute.path().is_ident("wire"));
+        Ok(arguments)
+    }
+
+    fn set(&mut self, Entry { key, value }: Entry) -> Result<()> {
+        match key.to_string().as_str() {
+            "spec" => self.spec = Some(string(value)?),
+            "unit" => self.unit = Some(string(value)?),
+            "since" => self.since = Some(string(value)?),
+            "range" => self.range = Some(range(value)?),
+            "when" => self.when = Some(value),
+            "context" => self.context = Some(value),
+            "counted_by" => self.count = Some(Count::Prefix(string(value)?)),
+            "count" => self.count = Some(Count::Exactly(value)),
+            "at_most" => self.count = Some(Count::AtMost(value)),
+            other => return Err(Error::new(key.span(), format!("`{other}` means nothing here"))),
+        }
+        Ok(())
+    }
+}
+
+struct Entry {
+    key: Ident,
+    value: Expr,
+}
+
+impl Parse for Entry {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let key = input.parse()?;
+        input.parse::<Token![=]>()?;
+        Ok(Entry { key, value: input.parse()? })
+    }
+}
+
+fn string(value: Expr) -> Result<String> {
+    match value {
+        Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => Ok(text.value()),
+        other => Err(Error::new_spanned(other, "a string is wanted here")),
+    }
+}
+
+fn range(value: Expr) -> Result<(Expr, Expr)> {
+    match value {
+        Expr::Range(syn::ExprRange {
+            start: Some(start),
+            limits: RangeLimits::Closed(_),
+            end: Some(end),
+            ..
+        }) => Ok((*start, *end)),
+        other => Err(Error::new_spanned(other, "a range `A..=B` of raw values is wanted here")),
+    }
+}
+
+/// `BatThresholdAlarm` and `bat_threshold_alarm` both become `BAT_THRESHOLD_ALARM`.
+pub(crate) fn capitals(name: &str) -> String {
+    let mut result = String::new();
+    let mut previous = '_';
+    for letter in name.trim_start_matches("r#").chars() {
+        let starts_word = (letter.is_ascii_uppercase() && !previous.is_ascii_uppercase())
+            || (letter.is_ascii_digit()
+                && previous.is_ascii_lowercase()
+                && name.contains(char::is_uppercase));
+        if starts_word && previous != '_' {
+            result.push('_');
+        }
+        result.push(letter.to_ascii_uppercase());
+        previous = letter;
+    }
+    result
+}

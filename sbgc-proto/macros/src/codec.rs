@@ -1,0 +1,184 @@
+//! Reading, writing and measuring what was declared.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::attributes::Count;
+use crate::structure::{Field, Structure, held};
+
+/// `Layout`, `FromWire` and `ToWire`.
+pub(crate) fn of_structure(structure: &Structure) -> TokenStream {
+    let layout = layout(structure);
+    let read = read(structure);
+    let write = write(structure);
+    quote!(#layout #read #write)
+}
+
+fn layout(structure: &Structure) -> TokenStream {
+    let (ty, generics) = (structure.ty(), structure.generics());
+    let minima = structure.fields.iter().map(|field| {
+        let inner = &field.inner;
+        let prefix = usize::from(matches!(field.arguments.count, Some(Count::Prefix(_))));
+        if field.is_option { quote!(0) } else { quote!(#prefix + <#inner as crate::wire::Layout>::MIN_LEN) }
+    });
+    let maxima = structure.fields.iter().map(|field| {
+        let inner = &field.inner;
+        let prefix = usize::from(matches!(field.arguments.count, Some(Count::Prefix(_))));
+        quote!(#prefix + <#inner as crate::wire::Layout>::MAX_LEN)
+    });
+    quote! {
+        impl #generics crate::wire::Layout for #ty {
+            const MIN_LEN: usize = 0 #(+ #minima)*;
+            const MAX_LEN: usize = 0 #(+ #maxima)*;
+        }
+    }
+}
+
+fn read(structure: &Structure) -> TokenStream {
+    let (ty, context_type) = (structure.ty(), structure.context_type());
+    let (generics, lifetime) = match &structure.lifetime {
+        Some(lifetime) => (structure.generics(), quote!(#lifetime)),
+        None => (quote!(<'wire>), quote!('wire)),
+    };
+    let context = bind_context(structure);
+    let steps = structure.fields.iter().map(|field| {
+        let (name, ty, held) = (&field.name, &field.ty, held(field));
+        let value = read_field(field);
+        quote! {
+            let (input, #held): (_, #ty) = #value?;
+            let #name = &#held;
+        }
+    });
+    let construction = structure.construction();
+    quote! {
+        impl #generics crate::wire::FromWire<#lifetime, #context_type> for #ty {
+            #[allow(unused_variables, reason = "only conditions look back at earlier fields")]
+            fn read(input: &#lifetime [u8], context: #context_type) -> crate::wire::Read<#lifetime, Self> {
+                #context
+                #(#steps)*
+                ::core::result::Result::Ok((input, #construction))
+            }
+        }
+    }
+}
+
+fn read_field(field: &Field) -> TokenStream {
+    let spec = &field.spec;
+    let context = context_of(field);
+    if let Some(when) = &field.arguments.when {
+        return quote!(crate::wire::read_when(#when, #spec, input, #context));
+    }
+    if field.is_option {
+        return quote!(crate::wire::read_tail(#spec, input, #context));
+    }
+    match &field.arguments.count {
+        None => quote!(crate::wire::read_field(#spec, input, #context)),
+        Some(Count::Prefix(_)) => quote!(crate::wire::List::read_counted(#spec, input, #context)),
+        Some(Count::Exactly(count)) => {
+            quote!(crate::wire::List::read_exactly(#count, #spec, input, #context))
+        }
+        Some(Count::AtMost(count)) => quote!(crate::wire::List::read_at_most(#count, #spec, input, #context)),
+    }
+}
+
+fn write(structure: &Structure) -> TokenStream {
+    let (ty, generics, context_type) = (structure.ty(), structure.generics(), structure.context_type());
+    let context = bind_context(structure);
+    let pattern = structure.pattern();
+    let has_tail = structure.fields.iter().any(|field| field.is_option && field.arguments.when.is_none());
+    let ended = has_tail.then(|| quote!(let mut ended = None;));
+    let steps = structure.fields.iter().map(write_field);
+    quote! {
+        impl #generics crate::wire::ToWire<#context_type> for #ty {
+            #[allow(unused_variables, reason = "only conditions look at the context")]
+            fn write(
+                &self,
+                context: #context_type,
+                out: &mut crate::wire::Writer<'_>,
+            ) -> ::core::result::Result<(), crate::EncodeError> {
+                #context
+                let #pattern = self;
+                #ended
+                #(#steps)*
+                ::core::result::Result::Ok(())
+            }
+        }
+    }
+}
+
+fn write_field(field: &Field) -> TokenStream {
+    let (name, spec) = (&field.name, &field.spec);
+    let context = context_of(field);
+    if let Some(when) = &field.arguments.when {
+        return quote!(crate::wire::write_when(#when, #spec, #name.as_ref(), #context, out)?;);
+    }
+    if field.is_option {
+        return quote!(crate::wire::write_tail(&mut ended, #spec, #name.as_ref(), #context, out)?;);
+    }
+    match &field.arguments.count {
+        None => quote!(crate::wire::ToWire::write(#name, #context, out)?;),
+        Some(Count::Prefix(_)) => quote!(#name.write_counted(#spec, #context, out)?;),
+        Some(Count::Exactly(count)) => quote!(#name.write_exactly(#count, #spec, #context, out)?;),
+        Some(Count::AtMost(count)) => quote!(#name.write_at_most(#count, #spec, #context, out)?;),
+    }
+}
+
+fn bind_context(structure: &Structure) -> Option<TokenStream> {
+    let name = &structure.arguments.context.as_ref()?.name;
+    Some(quote!(let #name = &context;))
+}
+
+fn context_of(field: &Field) -> TokenStream {
+    field.arguments.context.as_ref().map_or_else(|| quote!(()), |context| quote!(#context))
+}
+
+/// `Message`, `Request`, and the check of the declared size.
+pub(crate) fn of_message(structure: &Structure) -> TokenStream {
+    let (name, ty, generics) = (&structure.name, structure.ty(), structure.generics());
+    let arguments = &structure.arguments;
+    let (Some(command), Some(size)) = (&arguments.command, &arguments.size) else {
+        return TokenStream::new();
+    };
+    let spec = command.to_string();
+    let direction = if arguments.outgoing { quote!(Outgoing) } else { quote!(Incoming) };
+    let (form, since) = (&arguments.form, arguments.since.as_deref().unwrap_or_default());
+    let (min, max) = (size.min, size.max);
+    let accepts = arguments.lengths.as_ref().map(|lengths| {
+        quote!(
+            fn accepts(length: usize) -> bool {
+                ::core::matches!(length, #lengths)
+            }
+        )
+    });
+    let request = arguments.answer.as_ref().map(|answer| {
+        quote! {
+            impl #generics crate::message::Request for #ty {
+                type Answer<'answer> = #answer;
+            }
+        }
+    });
+    let static_type = if structure.lifetime.is_some() { quote!(#name<'static>) } else { quote!(#name) };
+    let complaint = format!("{name}: the fields do not add up to the declared size");
+    let fixed = min == max;
+    let doc = &structure.doc;
+    quote! {
+        impl #generics crate::message::Message for #ty {
+            const ID: crate::CommandId = crate::CommandId::of_spec_name(#spec);
+            const DIRECTION: crate::Direction = crate::Direction::#direction;
+            const SPEC: &'static str = #spec;
+            const FORM: &'static str = #form;
+            const SINCE: &'static str = #since;
+            const SUMMARY: &'static str = #doc;
+            const SIZE: ::core::ops::RangeInclusive<usize> = #min..=#max;
+            #accepts
+        }
+        #request
+        const _: () = {
+            let (least, most) = (
+                <#static_type as crate::wire::Layout>::MIN_LEN,
+                <#static_type as crate::wire::Layout>::MAX_LEN,
+            );
+            ::core::assert!(if #fixed { least == #min && most == #max } else { least <= #min && most >= #max }, #complaint);
+        };
+    }
+}

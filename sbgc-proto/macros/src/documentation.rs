@@ -1,0 +1,95 @@
+//! The lines that are added to the documentation of what is declared.
+
+use std::fmt::Write as _;
+
+use quote::ToTokens;
+use syn::{Attribute, parse_quote};
+
+use crate::attributes::{Arguments, Count};
+use crate::structure::Field;
+
+/// The text of the doc comments among `attributes`, the first paragraph only.
+pub(crate) fn summary(attributes: &[Attribute]) -> String {
+    let mut text = String::new();
+    for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("doc")) {
+        if let syn::Meta::NameValue(syn::MetaNameValue {
+            value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(line), .. }),
+            ..
+        }) = &attribute.meta
+        {
+            let line = line.value();
+            if line.trim().is_empty() && !text.is_empty() {
+                break;
+            }
+            if !text.is_empty() {
+                text.push(' ');
+            }
+            text.push_str(line.trim());
+        }
+    }
+    text
+}
+
+/// What a message's page says besides its own words.
+pub(crate) fn of_message(arguments: &Arguments) -> Vec<Attribute> {
+    let Some(command) = &arguments.command else { return Vec::new() };
+    let direction =
+        if arguments.outgoing { "outgoing (host to controller)" } else { "incoming (controller to host)" };
+    let mut line = format!("Spec: `{command}`, {direction}");
+    if arguments.form != "full" {
+        let _ = write!(line, ", form `{}`", arguments.form);
+    }
+    if let Some(size) = &arguments.size {
+        let _ = match (size.min, size.max) {
+            (0, 0) => write!(line, ", no payload"),
+            (1, 1) => write!(line, ", 1 byte"),
+            (min, max) if min == max => write!(line, ", {min} bytes"),
+            (min, max) => write!(line, ", {min} to {max} bytes"),
+        };
+    }
+    if let Some(since) = &arguments.since {
+        let _ = write!(line, ", firmware {since} and later");
+    }
+    line.push('.');
+    if let Some(answer) = &arguments.answer {
+        let name = answer.to_token_stream().to_string();
+        let name = name.split([' ', '<']).next().unwrap_or_default().to_owned();
+        let _ = write!(line, " Answered by [`{name}`].");
+    }
+    let alias = command.to_string();
+    vec![parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line]), parse_quote!(#[doc(alias = #alias)])]
+}
+
+/// What a field's entry says besides its own words.
+pub(crate) fn of_field(field: &Field) -> Vec<Attribute> {
+    let arguments = &field.arguments;
+    if field.reserved {
+        return Vec::new();
+    }
+    let mut line = format!("Spec: `{}`", field.spec);
+    if let Some(Count::Prefix(count)) = &arguments.count {
+        let _ = write!(line, ", counted by `{count}`");
+    }
+    if let Some(unit) = &arguments.unit {
+        let _ = write!(line, ", in {unit}");
+    }
+    if let Some((from, to)) = &arguments.range {
+        let plain = |end: &syn::Expr| end.to_token_stream().to_string().replace("- ", "-");
+        let _ = write!(line, ", raw range {} to {}", plain(from), plain(to));
+    }
+    if let Some(since) = &arguments.since {
+        let _ = write!(line, ", firmware {since} and later");
+    }
+    line.push('.');
+    if let Some(when) = &arguments.when {
+        let when = when.to_token_stream().to_string().replace(" . ", ".").replace(" :: ", "::");
+        let _ = write!(
+            line,
+            " Present when `{}`.",
+            when.replace(" (", "(").replace("( ", "(").replace(" )", ")")
+        );
+    } else if field.is_option {
+        line.push_str(" Absent where the payload ends before it.");
+    }
+    vec![parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line])]
+}

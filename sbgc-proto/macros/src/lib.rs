@@ -1,0 +1,77 @@
+//! The attribute macros in which `sbgc-proto` declares the protocol: [`macro@message`], [`macro@record`] and
+//! [`macro@open_enum`].
+//!
+//! They work only inside `sbgc-proto`: the code they write speaks of `crate::wire` and of that crate's features.
+//! From one declaration follow the codec, the sizes (checked when compiling), reflection, serde and defmt, and the
+//! part of the documentation that would otherwise be typed twice (spec names, units, ranges, versions).
+//!
+//! The written struct stays the struct that is used. The macros add attributes and trait implementations, nothing
+//! else; what they write never indexes, unwraps or casts.
+
+mod attributes;
+mod codec;
+mod documentation;
+mod open_enum;
+mod reflection;
+mod structure;
+
+use proc_macro::TokenStream;
+
+/// Declares the payload of one message form.
+///
+/// ```text
+/// #[message(CMD_BOARD_INFO, incoming, size = 18)]
+/// #[message(CMD_CONTROL, outgoing, form = "legacy", size = 13, length = 13, answer = Confirm<'answer>)]
+/// #[message(CMD_REALTIME_DATA_CUSTOM, incoming, size = 2..=255, context(flags: RealtimeDataCustomFlags))]
+/// ```
+///
+/// | key | meaning |
+/// | --- | --- |
+/// | first word | the spec's name of the command |
+/// | `outgoing`, `incoming` | direction, seen from the host |
+/// | `size = N` or `A..=B` | payload bytes; checked against the sum of the fields |
+/// | `form = "…"` | name of the form where an id has several; `full` when left out |
+/// | `length = pattern` | payload lengths that choose this form |
+/// | `answer = Type` | the message the board answers with |
+/// | `since = "…"` | first firmware |
+/// | `context(name: Type)` | what must be known besides the payload to read it |
+///
+/// Fields take `#[wire(…)]`:
+///
+/// | key | meaning |
+/// | --- | --- |
+/// | `spec = "…"` | the spec's name, where it is not the field's name in capitals |
+/// | `unit = "…"` | unit of a plain number whose scale is 1 |
+/// | `range = A..=B` | allowed raw values |
+/// | `since = "…"` | first firmware that uses the field |
+/// | `when = expression` | the field, an `Option`, is on the wire only then; earlier fields are in scope by reference |
+/// | `context = expression` | handed to the field's own type, which declares a `context` |
+/// | `counted_by = "…"` | a list that follows its own count byte, with the spec's name of that byte |
+/// | `count = expression` | a list of so many elements |
+/// | `at_most = expression` | a list of so many elements, or fewer where the payload ends earlier |
+///
+/// An `Option` without `when` is an optional tail: absent when the payload ends before it.
+#[proc_macro_attribute]
+pub fn message(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    structure::expand_message(arguments.into(), item.into())
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}
+
+/// Declares a group of fields that stands inside messages. Takes `size` and `context` of [`macro@message`] and the
+/// same field attributes.
+#[proc_macro_attribute]
+pub fn record(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    structure::expand_record(arguments.into(), item.into())
+        .unwrap_or_else(syn::Error::into_compile_error)
+        .into()
+}
+
+/// Declares an enumeration of wire values that keeps the values it does not know.
+///
+/// The argument is the integer on the wire. Each variant has its value and, where it is not the variant's name in
+/// capitals, `#[wire(spec = "…")]`. A last variant `Unknown` with the raw value is added.
+#[proc_macro_attribute]
+pub fn open_enum(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    open_enum::expand(arguments.into(), item.into()).unwrap_or_else(syn::Error::into_compile_error).into()
+}

@@ -1,0 +1,115 @@
+//! `#[open_enum]`: an enumeration that keeps what it does not know.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+use syn::{Error, Expr, ItemEnum, Result, parse_quote, parse2};
+
+use crate::attributes::{FieldArguments, capitals};
+use crate::documentation;
+
+struct Variant {
+    name: Ident,
+    value: Expr,
+    spec: String,
+    doc: String,
+}
+
+pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenStream> {
+    let integer: Ident = parse2(arguments)?;
+    let mut item: ItemEnum = parse2(item)?;
+    let variants = variants(&mut item)?;
+    item.variants.push(parse_quote! {
+        /// A value that this list does not have. `From` never makes one of a value that it has.
+        Unknown(#integer)
+    });
+    item.attrs.push(parse_quote!(#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]));
+    item.attrs.push(parse_quote!(#[cfg_attr(feature = "defmt", derive(::defmt::Format))]));
+    let name = &item.ident;
+    let names: Vec<_> = variants.iter().map(|variant| &variant.name).collect();
+    let values: Vec<_> = variants.iter().map(|variant| &variant.value).collect();
+    let labels = variants.iter().map(|Variant { value, spec, doc, .. }| {
+        quote!(crate::wire::Label { value: #value, name: #spec, doc: #doc })
+    });
+    Ok(quote! {
+        #item
+
+        impl #name {
+            /// The known values with the spec's names.
+            pub const LABELS: &'static [crate::wire::Label] = &[#(#labels),*];
+
+            /// The value for a raw number.
+            pub const fn from_raw(raw: #integer) -> Self {
+                match raw {
+                    #(#values => Self::#names,)*
+                    other => Self::Unknown(other),
+                }
+            }
+
+            /// The raw number.
+            pub const fn raw(self) -> #integer {
+                match self {
+                    #(Self::#names => #values,)*
+                    Self::Unknown(raw) => raw,
+                }
+            }
+        }
+
+        impl ::core::convert::From<#integer> for #name {
+            fn from(raw: #integer) -> Self {
+                Self::from_raw(raw)
+            }
+        }
+
+        impl ::core::convert::From<#name> for #integer {
+            fn from(value: #name) -> Self {
+                value.raw()
+            }
+        }
+
+        impl ::core::default::Default for #name {
+            /// The value of raw zero.
+            fn default() -> Self {
+                Self::from_raw(0)
+            }
+        }
+
+        crate::wire::number_type!(
+            #name: #integer, read |raw| #name::from_raw(raw), raw |value| value.raw(), labelled
+        );
+
+        #[cfg(feature = "reflect")]
+        impl crate::reflect::NumberType for #name {
+            const NUMBER: crate::reflect::Number = crate::reflect::Number {
+                meaning: crate::reflect::Meaning::Enum(Self::LABELS),
+                ..crate::reflect::Number::plain(<#integer as crate::reflect::NumberType>::NUMBER.scalar)
+            };
+
+            fn raw_number(&self) -> i64 {
+                i64::from(self.raw())
+            }
+
+            fn from_raw_number(raw: i64) -> ::core::option::Option<Self> {
+                #integer::try_from(raw).ok().map(Self::from_raw)
+            }
+        }
+    })
+}
+
+fn variants(item: &mut ItemEnum) -> Result<Vec<Variant>> {
+    let mut variants = Vec::new();
+    for variant in &mut item.variants {
+        let Some((_, value)) = variant.discriminant.take() else {
+            return Err(Error::new_spanned(&variant.ident, "each variant needs its value: `Name = 1`"));
+        };
+        let doc = documentation::summary(&variant.attrs);
+        let arguments = FieldArguments::take(&mut variant.attrs)?;
+        let spec = arguments.spec.unwrap_or_else(|| capitals(&variant.ident.to_string()));
+        let since = arguments.since.map(|since| format!(", firmware {since} and later")).unwrap_or_default();
+        let line = format!("Spec: `{spec}` = {}{since}.", quote!(#value).to_string().replace("- ", "-"));
+        variant
+            .attrs
+            .extend::<[syn::Attribute; 2]>([parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line])]);
+        variants.push(Variant { name: variant.ident.clone(), value, spec, doc });
+    }
+    Ok(variants)
+}

@@ -1,0 +1,117 @@
+//! Values that several topics share.
+
+use sbgc_proto_macros::open_enum;
+
+use crate::wire::{bit_enums, bit_fields};
+
+/// A switch.
+#[open_enum(u8)]
+pub enum Switch {
+    /// Off, no.
+    #[wire(spec = "NO")]
+    Off = 0,
+    /// On, yes.
+    #[wire(spec = "YES")]
+    On = 1,
+}
+bit_enums!(Switch);
+
+/// Which profile of parameters.
+#[open_enum(u8)]
+pub enum ProfileId {
+    /// The first.
+    #[wire(spec = "PROFILE_1")]
+    Profile1 = 0,
+    /// The second.
+    #[wire(spec = "PROFILE_2")]
+    Profile2 = 1,
+    /// The third.
+    #[wire(spec = "PROFILE_3")]
+    Profile3 = 2,
+    /// The fourth.
+    #[wire(spec = "PROFILE_4")]
+    Profile4 = 3,
+    /// The fifth.
+    #[wire(spec = "PROFILE_5")]
+    Profile5 = 4,
+    /// Erases the whole EEPROM. Understood by `CMD_USE_DEFAULTS` only.
+    EraseEeprom = 253,
+    /// Resets the active profile. Understood by `CMD_USE_DEFAULTS` only.
+    ResetCurrent = 254,
+    /// The active profile.
+    Current = 255,
+}
+
+/// Which inertial measurement unit.
+#[open_enum(u8)]
+pub enum ImuType {
+    /// The one on the camera platform.
+    #[wire(spec = "IMU_TYPE_MAIN")]
+    Main = 1,
+    /// The one on the frame.
+    #[wire(spec = "IMU_TYPE_FRAME")]
+    Frame = 2,
+}
+
+bit_fields! {
+    /// Where a signal comes from: a kind of input and the number of its channel. All bits zero: from nowhere.
+    ///
+    /// ```
+    /// use sbgc_proto::commands::{RcSource, RcSourceKind};
+    ///
+    /// assert_eq!(RcSource::API_VIRT_CH.with_channel(3), RcSource(131));
+    /// assert_eq!(RcSource(34).kind(), RcSourceKind::Analog);
+    /// ```
+    pub struct RcSource: u8 {
+        /// Number of the channel, from 1 on.
+        0..=4 => channel / with_channel "CHANNEL": u8,
+        /// Kind of input.
+        5..=7 => kind / with_kind "RC_MAP_TYPE": RcSourceKind,
+    }
+}
+
+impl RcSource {
+    /// From nowhere.
+    pub const NOT_ASSIGNED: Self = Self(0);
+    /// PWM input of the ROLL channel.
+    pub const RC_INPUT_ROLL: Self = Self(1);
+    /// PWM input of the PITCH channel.
+    pub const RC_INPUT_PITCH: Self = Self(2);
+    /// PWM input for the flight controller's ROLL.
+    pub const EXT_FC_INPUT_ROLL: Self = Self(3);
+    /// PWM input for the flight controller's PITCH.
+    pub const EXT_FC_INPUT_PITCH: Self = Self(4);
+    /// PWM input of the YAW channel.
+    pub const RC_INPUT_YAW: Self = Self(5);
+    /// Analog input 1.
+    pub const ADC1: Self = Self(33);
+    /// Analog input 2.
+    pub const ADC2: Self = Self(34);
+    /// Analog input 3.
+    pub const ADC3: Self = Self(35);
+    /// Analog input 4, on some boards of newer firmware.
+    pub const ADC4: Self = Self(36);
+    /// Channels 1 to 31 of a serial receiver (s-bus, Spektrum, Sum-PPM).
+    pub const RC_SERIAL_CH: Self = Self(64);
+    /// Virtual channels 1 to 31, set by `CMD_API_VIRT_CH_CONTROL`.
+    pub const API_VIRT_CH: Self = Self(128);
+    /// Step signals 1 to 6, firmware 2.66 and later.
+    pub const STEP_SIGNAL_CH: Self = Self(160);
+}
+
+/// What kind of input a signal comes from: bits 5 to 7 of a signal source.
+#[open_enum(u8)]
+pub enum RcSourceKind {
+    /// PWM, channels 1 to 5; channel 0 is no input.
+    Pwm = 0,
+    /// Analog, channels 1 to 3, on some boards 4.
+    Analog = 1,
+    /// A serial receiver, channels 1 to 31.
+    RcSerial = 2,
+    /// Virtual channels 1 to 31 that a host sets.
+    ApiVirt = 4,
+    /// Step signals 1 to 6.
+    #[wire(since = "2.66")]
+    StepSignal = 5,
+}
+bit_enums!(RcSourceKind);

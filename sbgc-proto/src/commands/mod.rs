@@ -1,0 +1,21 @@
+//! Every payload of the protocol, one file a topic.
+//!
+//! # Names
+//! A message is named after its command: `CMD_X` becomes `X` in CamelCase. Where a command has its answer under the
+//! same id, the answer has the plain name and the request is `XRequest`; only the requests that the spec calls READ or
+//! GET keep the verb: `ReadParams3` is answered by `Params3`, `GetAngles` by `Angles`. Forms other than the usual one
+//! say so at the end: `ControlLegacy`. A struct that stands inside messages is a `record`.
+//!
+//! # Declarations
+//! Each payload is declared once, with [`sbgc_proto_macros::message`], and everything else follows from that. Fields
+//! have the spec's names in lower case. What a number means is in its type: quantities of [`units`](crate::units), open
+//! enumerations, flag sets and bit fields; only plain numbers have a `unit` or `range` of their own. Reserved bytes are
+//! [`Reserved`](crate::wire::Reserved); those that newer firmware has put to use are typed fields with a `since`.
+
+mod board;
+mod common;
+mod control;
+
+pub use board::*;
+pub use common::*;
+pub use control::*;

@@ -1,0 +1,326 @@
+//! Numbers on the wire, the physical values they stand for, and their names.
+
+use core::fmt;
+
+use super::{AssignError, FieldInfo, Input};
+use crate::wire::Label;
+
+/// How a number stands on the wire.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[expect(non_camel_case_types, reason = "they are the names of the types")]
+#[allow(missing_docs, reason = "they are the names of the types")]
+pub enum Scalar {
+    u8,
+    i8,
+    u16,
+    i16,
+    u24,
+    u32,
+    i32,
+    f32,
+}
+
+impl Scalar {
+    /// The name, for example `u16`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Scalar::u8 => "u8",
+            Scalar::i8 => "i8",
+            Scalar::u16 => "u16",
+            Scalar::i16 => "i16",
+            Scalar::u24 => "u24",
+            Scalar::u32 => "u32",
+            Scalar::i32 => "i32",
+            Scalar::f32 => "f32",
+        }
+    }
+
+    /// Bytes on the wire.
+    pub const fn size(self) -> usize {
+        match self {
+            Scalar::u8 | Scalar::i8 => 1,
+            Scalar::u16 | Scalar::i16 => 2,
+            Scalar::u24 => 3,
+            Scalar::u32 | Scalar::i32 | Scalar::f32 => 4,
+        }
+    }
+
+    /// The least and the greatest raw number; for a float those of its value.
+    pub const fn limits(self) -> (f64, f64) {
+        match self {
+            Scalar::u8 => (0.0, 255.0),
+            Scalar::i8 => (-128.0, 127.0),
+            Scalar::u16 => (0.0, 65_535.0),
+            Scalar::i16 => (-32_768.0, 32_767.0),
+            Scalar::u24 => (0.0, 16_777_215.0),
+            Scalar::u32 => (0.0, 4_294_967_295.0),
+            Scalar::i32 => (-2_147_483_648.0, 2_147_483_647.0),
+            Scalar::f32 => (f64::NEG_INFINITY, f64::INFINITY),
+        }
+    }
+}
+
+/// What raw numbers mean beyond their value.
+#[derive(Clone, Copy, Debug)]
+pub enum Meaning {
+    /// Nothing.
+    Plain,
+    /// Each value has a name.
+    Enum(&'static [Label]),
+    /// Each bit has a name.
+    Flags(&'static [Label]),
+    /// Groups of bits are numbers of their own.
+    Bits(&'static [BitPart]),
+    /// A quantity of which a few values are names.
+    Special(&'static [Label]),
+    /// Shown in a way of its own.
+    Shown(fn(i64, &mut fmt::Formatter<'_>) -> fmt::Result),
+}
+
+/// A number within a number.
+#[derive(Clone, Copy, Debug)]
+pub struct BitPart {
+    /// The spec's name.
+    pub name: &'static str,
+    /// Its lowest bit.
+    pub low: u32,
+    /// How many bits it takes.
+    pub width: u32,
+    /// Names of its values.
+    pub labels: &'static [Label],
+    /// What it is.
+    pub doc: &'static str,
+}
+
+impl BitPart {
+    const fn mask(&self) -> i64 {
+        (1 << self.width) - 1
+    }
+}
+
+/// A kind of number: how it stands on the wire and what it stands for.
+#[derive(Clone, Copy, Debug)]
+pub struct Number {
+    /// Its form on the wire.
+    pub scalar: Scalar,
+    /// The unit of the value; empty when it has none.
+    pub unit: &'static str,
+    /// The value is `raw * multiply / divide`.
+    pub multiply: f64,
+    /// The value is `raw * multiply / divide`.
+    pub divide: f64,
+    /// What raw numbers mean beyond that.
+    pub meaning: Meaning,
+}
+
+/// A type that is one number on the wire.
+pub trait NumberType: Sized {
+    /// What kind of number.
+    const NUMBER: Number;
+
+    /// The number as it stands on the wire; of a float, its bits.
+    fn raw_number(&self) -> i64;
+
+    /// The value for a raw number, `None` where the wire cannot hold it.
+    fn from_raw_number(raw: i64) -> Option<Self>;
+}
+
+/// Makes a [`NumberType`] a leaf of messages.
+macro_rules! reflect_number {
+    ($name:ty) => {
+        const _: () = {
+            use $crate::reflect::{
+                Assign, AssignError, Describe, FieldInfo, Input, NumberType, Place, Raw, Shape, Steps,
+                Visitor,
+            };
+
+            impl Describe for $name {
+                const SHAPE: Shape = Shape::Number(<$name as NumberType>::NUMBER);
+
+                fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+                    let number = &<$name as NumberType>::NUMBER;
+                    place.leaf(number.scalar.size(), Some(number), Raw::Number(self.raw_number()), visitor)
+                }
+            }
+
+            impl<'a> Assign<'a> for $name {
+                fn assign(
+                    &mut self,
+                    path: Steps<'_>,
+                    value: Input<'a>,
+                    field: &'static FieldInfo,
+                ) -> Result<(), AssignError> {
+                    path.end()?;
+                    let raw = <$name as NumberType>::NUMBER.raw_of(value, field)?;
+                    *self = <$name as NumberType>::from_raw_number(raw)
+                        .ok_or_else(|| <$name as NumberType>::NUMBER.out_of_range(field))?;
+                    Ok(())
+                }
+            }
+        };
+    };
+}
+pub(crate) use reflect_number;
+
+impl Number {
+    /// A number without unit or names.
+    pub const fn plain(scalar: Scalar) -> Self {
+        Number { scalar, unit: "", multiply: 1.0, divide: 1.0, meaning: Meaning::Plain }
+    }
+
+    /// The value that `raw` stands for, in [`unit`](Self::unit).
+    #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub fn value(&self, raw: i64) -> f64 {
+        match self.scalar {
+            // The raw number of a float is its 32 bits.
+            Scalar::f32 => f64::from(f32::from_bits(raw as u32)),
+            _ => raw as f64 * self.multiply / self.divide,
+        }
+    }
+
+    /// The names that `raw` has, if any.
+    pub fn label(&self, raw: i64) -> Option<impl fmt::Display + use<>> {
+        let named = match self.meaning {
+            Meaning::Plain => false,
+            Meaning::Enum(labels) | Meaning::Special(labels) => labels.iter().any(|label| label.value == raw),
+            Meaning::Flags(_) => raw != 0,
+            Meaning::Bits(_) | Meaning::Shown(_) => true,
+        };
+        named.then_some(Names { meaning: self.meaning, raw })
+    }
+
+    /// The raw number for what a person or a file says.
+    pub(crate) fn raw_of(&self, input: Input<'_>, field: &'static FieldInfo) -> Result<i64, AssignError> {
+        let raw = match input {
+            Input::Raw(raw) => raw,
+            Input::Value(value) => self.raw_of_value(value, field)?,
+            Input::Text(text) => self.raw_of_text(text.trim(), field)?,
+            Input::Bytes(_) => return Err(AssignError::NotANumber { number: self.into_static() }),
+        };
+        self.check(raw, field)?;
+        Ok(raw)
+    }
+
+    fn check(&self, raw: i64, field: &'static FieldInfo) -> Result<(), AssignError> {
+        if matches!(self.meaning, Meaning::Special(labels) if labels.iter().any(|label| label.value == raw)) {
+            return Ok(());
+        }
+        #[allow(clippy::cast_precision_loss, reason = "raw integers have 32 bits")]
+        let number = if self.scalar == Scalar::f32 { self.value(raw) } else { raw as f64 };
+        match field.range {
+            Some((least, most)) if !(least..=most).contains(&number) => Err(self.out_of_range(field)),
+            _ => Ok(()),
+        }
+    }
+
+    pub(crate) fn out_of_range(&self, field: &'static FieldInfo) -> AssignError {
+        let (least, most) = field.range.unwrap_or(self.scalar.limits());
+        let scale = self.multiply / self.divide;
+        let unit = if self.unit.is_empty() { field.unit } else { self.unit };
+        AssignError::OutOfRange { least: least * scale, most: most * scale, unit }
+    }
+
+    fn into_static(self) -> Number {
+        self
+    }
+
+    #[allow(clippy::cast_possible_truncation, reason = "checked against the limits before")]
+    fn raw_of_value(&self, value: f64, field: &'static FieldInfo) -> Result<i64, AssignError> {
+        if self.scalar == Scalar::f32 {
+            return Ok(i64::from((value as f32).to_bits()));
+        }
+        let raw = value * self.divide / self.multiply;
+        let raw = raw + if raw < 0.0 { -0.5 } else { 0.5 };
+        let (least, most) = self.scalar.limits();
+        if !(least - 0.5..most + 1.0).contains(&raw) {
+            return Err(self.out_of_range(field));
+        }
+        Ok(raw as i64)
+    }
+
+    fn raw_of_text(&self, text: &str, field: &'static FieldInfo) -> Result<i64, AssignError> {
+        if let Some(raw) = self.raw_of_name(text) {
+            return Ok(raw);
+        }
+        if let Some(raw) = hexadecimal(text) {
+            return Ok(raw);
+        }
+        match text.parse::<f64>() {
+            Ok(value) => self.raw_of_value(value, field),
+            Err(_) => Err(AssignError::NotANumber { number: self.into_static() }),
+        }
+    }
+
+    fn raw_of_name(&self, text: &str) -> Option<i64> {
+        match self.meaning {
+            Meaning::Enum(labels) | Meaning::Special(labels) => raw_of_label(labels, text),
+            Meaning::Flags(labels) => {
+                let mut names = text.split(['|', '+']).map(str::trim);
+                names.try_fold(0, |raw, name| {
+                    Some(raw | raw_of_label(labels, name).or_else(|| hexadecimal(name))?)
+                })
+            }
+            Meaning::Bits(parts) => {
+                text.split(['|', ' ', ',']).filter(|part| !part.is_empty()).try_fold(0, |raw, assignment| {
+                    let (name, value) = assignment.split_once('=')?;
+                    let part = parts.iter().find(|part| part.name.eq_ignore_ascii_case(name.trim()))?;
+                    let value = raw_of_label(part.labels, value.trim())
+                        .or_else(|| value.trim().parse().ok())
+                        .filter(|value| (0..=part.mask()).contains(value))?;
+                    Some((raw & !(part.mask() << part.low)) | (value << part.low))
+                })
+            }
+            Meaning::Plain | Meaning::Shown(_) => None,
+        }
+    }
+}
+
+fn raw_of_label(labels: &[Label], name: &str) -> Option<i64> {
+    labels.iter().find(|label| label.name.eq_ignore_ascii_case(name)).map(|label| label.value)
+}
+
+fn hexadecimal(text: &str) -> Option<i64> {
+    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))?;
+    i64::from_str_radix(digits, 16).ok()
+}
+
+struct Names {
+    meaning: Meaning,
+    raw: i64,
+}
+
+impl fmt::Display for Names {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.meaning {
+            Meaning::Plain => Ok(()),
+            Meaning::Enum(labels) | Meaning::Special(labels) => {
+                let label = labels.iter().find(|label| label.value == self.raw);
+                f.write_str(label.map_or("", |label| label.name))
+            }
+            Meaning::Flags(labels) => flag_names(labels, self.raw, f),
+            Meaning::Bits(parts) => parts.iter().enumerate().try_for_each(|(index, part)| {
+                let separator = if index == 0 { "" } else { " " };
+                let value = (self.raw >> part.low) & part.mask();
+                match part.labels.iter().find(|label| label.value == value) {
+                    Some(label) => write!(f, "{separator}{}={}", part.name, label.name),
+                    None => write!(f, "{separator}{}={value}", part.name),
+                }
+            }),
+            Meaning::Shown(show) => show(self.raw, f),
+        }
+    }
+}
+
+fn flag_names(labels: &[Label], raw: i64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut left = raw;
+    let mut separator = "";
+    for label in labels.iter().filter(|label| label.value != 0 && raw & label.value == label.value) {
+        write!(f, "{separator}{}", label.name)?;
+        left &= !label.value;
+        separator = "|";
+    }
+    if left != 0 {
+        write!(f, "{separator}{left:#x}")?;
+    }
+    Ok(())
+}

@@ -1,0 +1,191 @@
+//! Visiting the fields of a value in wire order.
+
+use core::fmt;
+
+use super::{FieldInfo, Number, Shape};
+
+/// A value whose fields can be visited.
+pub trait Describe {
+    /// What it consists of.
+    const SHAPE: Shape;
+
+    /// Visits its leaves and returns how many bytes they take.
+    fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize;
+}
+
+/// Visits the leaves of `message` in wire order and returns how many bytes they take.
+pub fn walk<T: Describe>(message: &T, visitor: &mut dyn Visitor) -> usize {
+    message.walk(
+        &Place { path: Path { parent: None, step: Step::Root }, field: &FieldInfo::UNNAMED, offset: 0 },
+        visitor,
+    )
+}
+
+/// Is shown each leaf.
+pub trait Visitor {
+    /// One number, text or block of bytes.
+    fn leaf(&mut self, leaf: &Leaf<'_>);
+}
+
+impl<F: FnMut(&Leaf<'_>)> Visitor for F {
+    fn leaf(&mut self, leaf: &Leaf<'_>) {
+        self(leaf);
+    }
+}
+
+/// Where a value stands in its message. Shows as `axes.roll.p` or `params[0].id`.
+#[derive(Clone, Copy, Debug)]
+pub struct Path<'p> {
+    parent: Option<&'p Path<'p>>,
+    step: Step,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Step {
+    Root,
+    Name(&'static str),
+    Index(usize),
+}
+
+impl fmt::Display for Path<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(parent) = self.parent {
+            parent.fmt(f)?;
+            if matches!((parent.step, self.step), (Step::Name(_) | Step::Index(_), Step::Name(_))) {
+                f.write_str(".")?;
+            }
+        }
+        match self.step {
+            Step::Root => Ok(()),
+            Step::Name(name) => f.write_str(name),
+            Step::Index(index) => write!(f, "[{index}]"),
+        }
+    }
+}
+
+/// Where a walk is: path, declared field, and offset in the payload.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<'p> {
+    path: Path<'p>,
+    field: &'static FieldInfo,
+    offset: usize,
+}
+
+impl Place<'_> {
+    /// The field `fields[index]`, `offset` bytes further on.
+    pub(crate) fn field(&self, fields: &'static [FieldInfo], index: usize, offset: usize) -> Place<'_> {
+        let field = fields.get(index).unwrap_or(self.field);
+        let path = Path { parent: Some(&self.path), step: Step::Name(field.name) };
+        Place { path, field, offset: self.offset + offset }
+    }
+
+    /// A named part of the same field.
+    pub(crate) fn part(&self, name: &'static str, offset: usize) -> Place<'_> {
+        let path = Path { parent: Some(&self.path), step: Step::Name(name) };
+        Place { path, field: self.field, offset: self.offset + offset }
+    }
+
+    fn element(&self, index: usize, offset: usize) -> Place<'_> {
+        let path = Path { parent: Some(&self.path), step: Step::Index(index) };
+        Place { path, field: self.field, offset: self.offset + offset }
+    }
+
+    /// Visits `value` here.
+    pub(crate) fn walk<T: Describe>(&self, value: &T, visitor: &mut dyn Visitor) -> usize {
+        value.walk(self, visitor)
+    }
+
+    /// Shows a leaf of `size` bytes to the visitor.
+    pub(crate) fn leaf(
+        &self,
+        size: usize,
+        number: Option<&'static Number>,
+        raw: Raw<'_>,
+        visitor: &mut dyn Visitor,
+    ) -> usize {
+        visitor.leaf(&Leaf { path: &self.path, field: self.field, offset: self.offset, size, number, raw });
+        size
+    }
+}
+
+/// What stands on the wire.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Raw<'r> {
+    /// A number; of a float, its bits.
+    Number(i64),
+    /// Bytes.
+    Bytes(&'r [u8]),
+    /// Bytes that are meant as text.
+    Text(&'r [u8]),
+}
+
+/// A number, text or block of bytes in a message.
+#[derive(Clone, Copy, Debug)]
+pub struct Leaf<'l> {
+    /// Where it is.
+    pub path: &'l Path<'l>,
+    /// The declared field that it is or belongs to.
+    pub field: &'static FieldInfo,
+    /// Its first byte in the payload.
+    pub offset: usize,
+    /// Its bytes in the payload.
+    pub size: usize,
+    /// What kind of number it is, if it is one.
+    pub number: Option<&'static Number>,
+    /// What stands on the wire.
+    pub raw: Raw<'l>,
+}
+
+impl Leaf<'_> {
+    /// The name of the wire type: `u8` to `f32`, `bytes` or `str`.
+    pub fn type_name(&self) -> &'static str {
+        match (self.number, self.raw) {
+            (Some(number), _) => number.scalar.name(),
+            (None, Raw::Text(_)) => "str",
+            (None, _) => "bytes",
+        }
+    }
+
+    /// The physical value of a number.
+    pub fn value(&self) -> Option<f64> {
+        match self.raw {
+            Raw::Number(raw) => self.number.map(|number| number.value(raw)),
+            _ => None,
+        }
+    }
+
+    /// The unit of the value, empty when it has none.
+    pub fn unit(&self) -> &'static str {
+        self.number.map(|number| number.unit).filter(|unit| !unit.is_empty()).unwrap_or(self.field.unit)
+    }
+
+    /// The names of the value: of an enumeration, of flags, of a special case.
+    pub fn label(&self) -> Option<impl fmt::Display + use<>> {
+        match self.raw {
+            Raw::Number(raw) => self.number.and_then(|number| number.label(raw)),
+            _ => None,
+        }
+    }
+}
+
+/// Visits the elements of an array or list.
+pub(crate) fn walk_elements<T: Describe>(
+    elements: &[T],
+    place: &Place<'_>,
+    visitor: &mut dyn Visitor,
+) -> usize {
+    let mut size = 0;
+    for (index, element) in elements.iter().enumerate() {
+        size += place.element(index, size).walk(element, visitor);
+    }
+    size
+}
+
+/// What is absent has no leaves.
+impl<T: Describe> Describe for Option<T> {
+    const SHAPE: Shape = T::SHAPE;
+
+    fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+        self.as_ref().map_or(0, |value| value.walk(place, visitor))
+    }
+}

@@ -1,0 +1,187 @@
+//! All messages of each direction in one enumeration: [`OutgoingCommand`] and [`IncomingCommand`].
+//!
+//! Here a command's id and the length of its payload find its type. One line a message; all else is said where the
+//! message is declared. Programs that want few messages match on the id themselves and leave these enumerations, and
+//! what they cost, alone.
+
+#[allow(clippy::wildcard_imports, reason = "the list below names them all")]
+use crate::commands::*;
+use crate::frame::{self, Frame, Version};
+use crate::message::{Message, write_payload};
+use crate::wire::{ToWire, Writer};
+use crate::{CommandId, DecodeError, Direction, EncodeError};
+
+macro_rules! commands {
+    ($(
+        $(#[doc = $doc:literal])+
+        pub enum $enum:ident<'a>: $direction:ident {
+            $($variant:ident($ty:ident $(<$lifetime:lifetime>)?),)*
+        }
+    )*) => { $(
+        $(#[doc = $doc])+
+        #[derive(Clone, Debug, PartialEq, Eq)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+        #[allow(clippy::large_enum_variant, reason = "there is no allocator to put the large ones elsewhere")]
+        #[non_exhaustive]
+        pub enum $enum<'a> {
+            $(
+                #[doc = concat!("[`", stringify!($ty), "`](crate::commands::", stringify!($ty), ").")]
+                $variant($ty $(<$lifetime>)?),
+            )*
+            /// An id that the protocol does not have in this direction.
+            Unknown {
+                /// The id.
+                id: CommandId,
+                /// The payload as it came.
+                payload: &'a [u8],
+            },
+        }
+
+        impl<'a> $enum<'a> {
+            /// Which way all of these go.
+            pub const DIRECTION: Direction = Direction::$direction;
+
+            /// Reads the payload of command `id`, and returns what newer firmware has added after the known part.
+            ///
+            /// # Errors
+            /// When the payload is too short, or none of the forms of the command has its length.
+            pub fn decode(id: CommandId, payload: &'a [u8]) -> Result<(Self, &'a [u8]), DecodeError> {
+                let raw = id.raw();
+                $(
+                    if raw == const { <$ty as Message>::ID.raw() } && <$ty>::accepts(payload.len()) {
+                        let (message, rest) = <$ty>::decode_prefix(payload)?;
+                        return Ok((Self::$variant(message), rest));
+                    }
+                )*
+                match id.spec_name(Self::DIRECTION) {
+                    Some(command) if $(raw == <$ty as Message>::ID.raw())||* => {
+                        Err(DecodeError::NoSuchForm { command, got: payload.len() })
+                    }
+                    _ => Ok((Self::Unknown { id, payload }, &[])),
+                }
+            }
+
+            /// Reads the payload of a frame.
+            ///
+            /// # Errors
+            /// When the payload is too short, or none of the forms of the command has its length.
+            pub fn of_frame(frame: &Frame<'a>) -> Result<(Self, &'a [u8]), DecodeError> {
+                Self::decode(CommandId::from_raw(frame.id), frame.payload)
+            }
+
+            /// The command's id.
+            pub fn id(&self) -> CommandId {
+                match self {
+                    $(Self::$variant(_) => <$ty as Message>::ID,)*
+                    Self::Unknown { id, .. } => *id,
+                }
+            }
+
+            /// The spec's name of the command, `None` for one that the protocol does not have.
+            pub fn spec_name(&self) -> Option<&'static str> {
+                match self {
+                    $(Self::$variant(_) => Some(<$ty as Message>::SPEC),)*
+                    Self::Unknown { id, .. } => id.spec_name(Self::DIRECTION),
+                }
+            }
+
+            /// The name of the message's form; `unknown` for a command that the protocol does not have.
+            pub fn form(&self) -> &'static str {
+                match self {
+                    $(Self::$variant(_) => <$ty as Message>::FORM,)*
+                    Self::Unknown { .. } => "unknown",
+                }
+            }
+
+            /// Writes the payload to the front of `out` and returns it.
+            ///
+            /// # Errors
+            /// When it does not fit, or the message contradicts itself.
+            pub fn encode<'o>(&self, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError> {
+                let length = write_payload(self, (), out)?;
+                Ok(out.get(..length).unwrap_or_default())
+            }
+
+            /// Writes the whole frame to the front of `out` and returns it.
+            ///
+            /// # Errors
+            /// When it does not fit, or the message contradicts itself.
+            pub fn encode_frame<'o>(&self, version: Version, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError> {
+                frame::encode_with(version, self.id().raw(), out, |payload| write_payload(self, (), payload))
+            }
+        }
+
+        impl ToWire for $enum<'_> {
+            fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
+                match self {
+                    $(Self::$variant(message) => message.write((), out),)*
+                    Self::Unknown { payload, .. } => out.put(payload),
+                }
+            }
+        }
+
+        $(
+            impl<'a> From<$ty $(<$lifetime>)?> for $enum<'a> {
+                fn from(message: $ty $(<$lifetime>)?) -> Self {
+                    Self::$variant(message)
+                }
+            }
+        )*
+
+        #[cfg(feature = "reflect")]
+        impl<'a> $enum<'a> {
+            /// All messages of this direction, in the order in which their forms are tried.
+            pub const ALL: &'static [crate::reflect::MessageInfo] = &[
+                $(crate::reflect::MessageInfo::of::<$ty>()),*
+            ];
+
+            /// A message all of whose fields are zero or absent.
+            pub fn blank(id: CommandId, form: &str) -> Option<Self> {
+                $(
+                    if id == <$ty as Message>::ID && form == <$ty as Message>::FORM {
+                        return Some(Self::$variant(<$ty>::default()));
+                    }
+                )*
+                None
+            }
+
+            /// Visits the fields in wire order and returns how many bytes they take.
+            pub fn walk(&self, visitor: &mut dyn crate::reflect::Visitor) -> usize {
+                match self {
+                    $(Self::$variant(message) => crate::reflect::walk(message, visitor),)*
+                    Self::Unknown { payload, .. } => crate::reflect::walk(payload, visitor),
+                }
+            }
+
+            /// Sets the field that `path` names.
+            ///
+            /// # Errors
+            /// When there is no such field, or `value` is not one that it can have.
+            pub fn set(
+                &mut self,
+                path: &str,
+                value: crate::reflect::Input<'a>,
+            ) -> Result<(), crate::reflect::AssignError> {
+                match self {
+                    $(Self::$variant(message) => crate::reflect::set(message, path, value),)*
+                    Self::Unknown { payload, .. } => crate::reflect::set(payload, path, value),
+                }
+            }
+        }
+    )* };
+}
+
+commands! {
+    /// A message from the host to the controller.
+    pub enum OutgoingCommand<'a>: Outgoing {
+        BoardInfo(BoardInfoRequest),
+        BoardInfoExtended(BoardInfoExtendedRequest<'a>),
+        Control(Control),
+    }
+
+    /// A message from the controller to the host.
+    pub enum IncomingCommand<'a>: Incoming {
+        BoardInfo(BoardInfo),
+    }
+}

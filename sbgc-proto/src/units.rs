@@ -1,0 +1,243 @@
+//! Physical quantities as types: the raw number of the wire with its unit and scale.
+//!
+//! Each holds the raw number, which stays reachable as field `0`, and converts to and from the physical value. From a
+//! value, `from_…` goes to the nearest raw number and stops at the ends of the wire's range; `try_from_…` refuses what
+//! is beyond them, and what is not a number.
+//!
+//! ```
+//! use sbgc_proto::units::Angle;
+//!
+//! assert_eq!(Angle::from_degrees(90.0), Angle(4096));
+//! assert_eq!(Angle(-2048).degrees(), -45.0);
+//! assert!(Angle::try_from_degrees(1000.0).is_err());
+//! ```
+
+use core::fmt;
+
+use crate::OutOfRange;
+
+/// `value` in raw steps, rounded to the nearest, half away from zero.
+fn steps(value: f64, multiply: f64, divide: f64) -> f64 {
+    let raw = value * divide / multiply;
+    raw + if raw < 0.0 { -0.5 } else { 0.5 }
+}
+
+macro_rules! quantities {
+    ($(
+        $(#[doc = $doc:literal])+
+        $name:ident($integer:ident): $get:ident / $from:ident / $try_from:ident -> $float:ident,
+        $unit:literal, $multiply:literal / $divide:literal
+        $(, special { $($(#[doc = $special_doc:literal])+ $special:ident = $special_raw:literal;)* })?;
+    )*) => { $(
+        $(#[doc = $doc])+
+        #[doc = ""]
+        #[doc = concat!("Unit: ", $unit, ". Value = raw × ", $multiply, " / ", $divide, ".")]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct $name(pub $integer);
+
+        impl $name {
+            $($(
+                $(#[doc = $special_doc])+
+                pub const $special: Self = Self($special_raw);
+            )*)?
+
+            #[doc = concat!("The physical value in ", $unit, ".")]
+            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss,
+                reason = "the float type was chosen to hold every raw number")]
+            pub fn $get(self) -> $float {
+                (f64::from(self.0) * $multiply as f64 / $divide as f64) as $float
+            }
+
+            #[doc = concat!("The nearest raw number for a value in ", $unit,
+                ", at most the greatest and at least the least there is; 0 for what is not a number.")]
+            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss,
+                clippy::cast_sign_loss, reason = "the cast from float to integer is the saturation that is wanted")]
+            pub fn $from(value: $float) -> Self {
+                Self(steps(f64::from(value), $multiply as f64, $divide as f64) as $integer)
+            }
+
+            #[doc = concat!("The nearest raw number for a value in ", $unit, ".")]
+            #[doc = ""]
+            #[doc = "# Errors"]
+            #[doc = "When the value is beyond what the wire can hold, or not a number."]
+            #[allow(clippy::cast_lossless, clippy::cast_precision_loss, reason = "limits of 32 bits fit a float")]
+            pub fn $try_from(value: $float) -> Result<Self, OutOfRange> {
+                let raw = steps(f64::from(value), $multiply as f64, $divide as f64);
+                let (least, most) = ($integer::MIN as f64 - 0.5, $integer::MAX as f64 + 1.0);
+                if raw > least && raw < most { Ok(Self::$from(value)) } else { Err(OutOfRange) }
+            }
+
+            /// The values that are names.
+            pub const LABELS: &'static [crate::wire::Label] = &[
+                $($(crate::wire::Label {
+                    value: $special_raw,
+                    name: stringify!($special),
+                    doc: crate::wire::first_doc!($($special_doc)+),
+                }),*)?
+            ];
+        }
+
+        impl fmt::Display for $name {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                self.$get().fmt(f)?;
+                write!(f, " {}", $unit)
+            }
+        }
+
+        crate::wire::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
+
+        #[cfg(feature = "reflect")]
+        impl crate::reflect::NumberType for $name {
+            const NUMBER: crate::reflect::Number = crate::reflect::Number {
+                scalar: crate::reflect::Scalar::$integer,
+                unit: $unit,
+                multiply: $multiply as f64,
+                divide: $divide as f64,
+                meaning: if Self::LABELS.is_empty() {
+                    crate::reflect::Meaning::Plain
+                } else {
+                    crate::reflect::Meaning::Special(Self::LABELS)
+                },
+            };
+
+            fn raw_number(&self) -> i64 {
+                i64::from(self.0)
+            }
+
+            fn from_raw_number(raw: i64) -> Option<Self> {
+                raw.try_into().ok().map(Self)
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        crate::serde_support::quantity!($name: $integer, $multiply, $divide);
+    )* };
+}
+
+quantities! {
+    /// An angle in steps of 14 bits a turn.
+    Angle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384;
+
+    /// An angle over many turns, in steps of 14 bits a turn.
+    LongAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 16384;
+
+    /// An angle in steps of 20 bits a turn.
+    FineAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 1_048_576;
+
+    /// A distance to a limit, in steps of 14 bits a turn.
+    LimitDistance(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
+        /// There is no limit, or it is not known.
+        UNKNOWN = 32767;
+    };
+
+    /// A rate of turn as control commands have it: 0.1220740379 degrees a second.
+    ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 4000 / 32767;
+
+    /// A rate of turn as sensors have it: 0.06103701895 degrees a second.
+    SensorRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 2000 / 32767;
+
+    /// A rate of turn in thousandths of a degree a second.
+    FineRate(i32): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f64,
+        "deg/s", 1 / 1000;
+
+    /// An acceleration as sensors have it.
+    Acceleration(i16): g / from_g / try_from_g -> f32, "g", 1 / 512;
+
+    /// A limit of angular acceleration in coarse steps; 0 is no limit.
+    AccelerationLimit(u8): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2 -> f32,
+        "deg/s^2", 5 / 1;
+
+    /// A voltage.
+    Voltage(u16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
+
+    /// A voltage that switches something; negative switches that off.
+    VoltageThreshold(i16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
+
+    /// An error of attitude.
+    AttitudeError(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
+
+    /// A rate of repetition.
+    ServoRate(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
+
+    /// A jerk slope: the time in which an acceleration builds up. 0 leaves it as it is, 1 switches it off.
+    JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1;
+
+    /// A dead band in units of the gyroscope.
+    GyroDeadband(u8): units / from_units / try_from_units -> f32, "gyro units", 1 / 10;
+
+    /// The signal of a radio control channel, -16384 to 16384.
+    RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {
+        /// There is no signal.
+        UNDEFINED = -32768;
+    };
+
+    /// The version of the board, 3.0 for raw 30.
+    BoardVersion(u8): number / from_number / try_from_number -> f32, "", 1 / 10;
+
+    /// A size of flash memory.
+    FlashSize(u8): kibibytes / from_kibibytes / try_from_kibibytes -> f32, "KiB", 32 / 1;
+}
+
+/// The version of the firmware as the board gives it: 2305 is 2.30 beta 5, and from 2.73 on the last digit is a patch
+/// number, so that 2735 is 2.73.5.
+///
+/// ```
+/// use sbgc_proto::units::FirmwareVersion;
+///
+/// assert_eq!(FirmwareVersion(2305).to_string(), "2.30b5");
+/// assert_eq!(FirmwareVersion(2730).to_string(), "2.73.0");
+/// assert!(FirmwareVersion(2687) >= FirmwareVersion::new(2, 68, 7));
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct FirmwareVersion(pub u16);
+
+impl FirmwareVersion {
+    /// `major.minor`, with beta or patch number.
+    pub const fn new(major: u16, minor: u16, last: u16) -> Self {
+        Self(major * 1000 + minor * 10 + last)
+    }
+
+    /// Major number, minor number, and the last digit: beta number before 2.73, patch number from there on.
+    pub const fn parts(self) -> (u16, u16, u16) {
+        (self.0 / 1000, self.0 % 1000 / 10, self.0 % 10)
+    }
+}
+
+impl fmt::Display for FirmwareVersion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (major, minor, last) = self.parts();
+        if self.0 >= 2730 {
+            write!(f, "{major}.{minor:02}.{last}")
+        } else if last == 0 {
+            write!(f, "{major}.{minor:02}")
+        } else {
+            write!(f, "{major}.{minor:02}b{last}")
+        }
+    }
+}
+
+crate::wire::number_type!(FirmwareVersion: u16, read |raw| FirmwareVersion(raw), raw |value| value.0);
+
+#[cfg(feature = "reflect")]
+impl crate::reflect::NumberType for FirmwareVersion {
+    const NUMBER: crate::reflect::Number = crate::reflect::Number {
+        meaning: crate::reflect::Meaning::Shown(|raw, f| match u16::try_from(raw) {
+            Ok(raw) => fmt::Display::fmt(&FirmwareVersion(raw), f),
+            Err(_) => Ok(()),
+        }),
+        ..crate::reflect::Number::plain(crate::reflect::Scalar::u16)
+    };
+
+    fn raw_number(&self) -> i64 {
+        i64::from(self.0)
+    }
+
+    fn from_raw_number(raw: i64) -> Option<Self> {
+        raw.try_into().ok().map(Self)
+    }
+}

@@ -1,0 +1,157 @@
+//! Groups of three: by axis of the gimbal and by component of a vector; and plain arrays.
+
+use super::{FromWire, Layout, Read, ToWire, Writer};
+use crate::EncodeError;
+
+macro_rules! groups {
+    ($($(#[$attribute:meta])* $group:ident { $($(#[$doc:meta])* $part:ident),* })*) => { $(
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        pub struct $group<T> {
+            $($(#[$doc])* pub $part: T,)*
+        }
+
+        impl<T> $group<T> {
+            /// The three values, each made by `make` from the one that stands here.
+            pub fn map<U>(self, mut make: impl FnMut(T) -> U) -> $group<U> {
+                $group { $($part: make(self.$part),)* }
+            }
+
+            /// The three values in the order of the wire.
+            pub fn into_array(self) -> [T; 3] {
+                [$(self.$part),*]
+            }
+        }
+
+        impl<T> From<[T; 3]> for $group<T> {
+            fn from([$($part),*]: [T; 3]) -> Self {
+                Self { $($part),* }
+            }
+        }
+
+        impl<T: Layout> Layout for $group<T> {
+            const MIN_LEN: usize = 3 * T::MIN_LEN;
+            const MAX_LEN: usize = 3 * T::MAX_LEN;
+        }
+
+        impl<'a, T: FromWire<'a, C>, C: Copy> FromWire<'a, C> for $group<T> {
+            #[inline]
+            fn read(input: &'a [u8], context: C) -> Read<'a, Self> {
+                $(let (input, $part) = T::read(input, context)?;)*
+                Ok((input, Self { $($part),* }))
+            }
+        }
+
+        impl<T: ToWire<C>, C: Copy> ToWire<C> for $group<T> {
+            #[inline]
+            fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError> {
+                $(self.$part.write(context, out)?;)*
+                Ok(())
+            }
+        }
+
+        #[cfg(feature = "reflect")]
+        impl<T: crate::reflect::Describe> crate::reflect::Describe for $group<T> {
+            const SHAPE: crate::reflect::Shape = crate::reflect::Shape::Group {
+                names: &[$(stringify!($part)),*],
+                element: &T::SHAPE,
+            };
+
+            fn walk(
+                &self,
+                place: &crate::reflect::Place<'_>,
+                visitor: &mut dyn crate::reflect::Visitor,
+            ) -> usize {
+                let mut size = 0;
+                $(size += place.part(stringify!($part), size).walk(&self.$part, visitor);)*
+                size
+            }
+        }
+
+        #[cfg(feature = "reflect")]
+        impl<'a, T: crate::reflect::Assign<'a>> crate::reflect::Assign<'a> for $group<T> {
+            fn assign(
+                &mut self,
+                mut path: crate::reflect::Steps<'_>,
+                value: crate::reflect::Input<'a>,
+                field: &'static crate::reflect::FieldInfo,
+            ) -> Result<(), crate::reflect::AssignError> {
+                let mut parts = [$((stringify!($part), &mut self.$part)),*];
+                let index = path.next_of(&[$(stringify!($part)),*])?;
+                match parts.get_mut(index) {
+                    Some((_, part)) => part.assign(path, value, field),
+                    None => Err(crate::reflect::AssignError::NoSuchPart { parts: &[$(stringify!($part)),*] }),
+                }
+            }
+        }
+    )* };
+}
+
+groups! {
+    /// A value for each axis of the gimbal, in the order of the protocol.
+    PerAxis {
+        /// Rotation about the optical axis.
+        roll,
+        /// Rotation up and down.
+        pitch,
+        /// Rotation left and right.
+        yaw
+    }
+    /// A value for each component of a vector.
+    PerXyz {
+        /// To the right, or East.
+        x,
+        /// Forward, or North.
+        y,
+        /// Down.
+        z
+    }
+}
+
+impl<T: Layout, const N: usize> Layout for [T; N] {
+    const MIN_LEN: usize = N * T::MIN_LEN;
+    const MAX_LEN: usize = N * T::MAX_LEN;
+}
+
+impl<'a, T: FromWire<'a, C> + Default + Copy, C: Copy, const N: usize> FromWire<'a, C> for [T; N] {
+    #[inline]
+    fn read(mut input: &'a [u8], context: C) -> Read<'a, Self> {
+        let mut elements = [T::default(); N];
+        for element in &mut elements {
+            (input, *element) = T::read(input, context)?;
+        }
+        Ok((input, elements))
+    }
+}
+
+impl<T: ToWire<C>, C: Copy, const N: usize> ToWire<C> for [T; N] {
+    fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError> {
+        self.iter().try_for_each(|element| element.write(context, out))
+    }
+}
+
+#[cfg(feature = "reflect")]
+impl<T: crate::reflect::Describe, const N: usize> crate::reflect::Describe for [T; N] {
+    const SHAPE: crate::reflect::Shape = crate::reflect::Shape::Array { count: N, element: &T::SHAPE };
+
+    fn walk(&self, place: &crate::reflect::Place<'_>, visitor: &mut dyn crate::reflect::Visitor) -> usize {
+        crate::reflect::walk_elements(self, place, visitor)
+    }
+}
+
+#[cfg(feature = "reflect")]
+impl<'a, T: crate::reflect::Assign<'a>, const N: usize> crate::reflect::Assign<'a> for [T; N] {
+    fn assign(
+        &mut self,
+        mut path: crate::reflect::Steps<'_>,
+        value: crate::reflect::Input<'a>,
+        field: &'static crate::reflect::FieldInfo,
+    ) -> Result<(), crate::reflect::AssignError> {
+        match self.get_mut(path.next_index(N)?) {
+            Some(element) => element.assign(path, value, field),
+            None => Err(crate::reflect::AssignError::TooMany { most: N }),
+        }
+    }
+}

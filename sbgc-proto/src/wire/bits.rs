@@ -1,0 +1,237 @@
+//! Flag sets, and numbers that are made of several smaller ones.
+
+/// A value that takes some bits of a number.
+pub(crate) trait BitField: Sized {
+    fn from_bits(bits: u32) -> Self;
+    fn into_bits(self) -> u32;
+}
+
+impl BitField for bool {
+    fn from_bits(bits: u32) -> Self {
+        bits != 0
+    }
+
+    fn into_bits(self) -> u32 {
+        u32::from(self)
+    }
+}
+
+impl BitField for u8 {
+    fn from_bits(bits: u32) -> Self {
+        u8::try_from(bits).unwrap_or(u8::MAX)
+    }
+
+    fn into_bits(self) -> u32 {
+        u32::from(self)
+    }
+}
+
+/// Declares a set of flags that keeps the bits it does not know.
+///
+/// ```text
+/// flags! {
+///     /// What it is. Spec: `NAME`.
+///     pub struct Name: u8 {
+///         /// What it means.
+///         const NAME = 1 << 0;
+///         /// With the spec's name, where it is longer.
+///         const OTHER "PREFIX_OTHER" = 1 << 1;
+///     }
+/// }
+/// ```
+macro_rules! flags {
+    (
+        $(#[$attribute:meta])*
+        pub struct $name:ident: $integer:ident {
+            $($(#[doc = $doc:literal])+ const $flag:ident $($spec:literal)? = $value:expr;)*
+        }
+    ) => {
+        bitflags::bitflags! {
+            $(#[$attribute])*
+            #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+            #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+            pub struct $name: $integer {
+                $(
+                    $(#[doc = $doc])+
+                    #[doc = ""]
+                    #[doc = concat!("Spec: `", $crate::wire::spec_name!($flag $($spec)?), "`.")]
+                    const $flag = $value;
+                )*
+                // Every bit is known to the set, so that no operation drops one.
+                const _ = !0;
+            }
+        }
+
+        impl $name {
+            /// The named flags with the spec's names.
+            pub const LABELS: &'static [$crate::wire::Label] = &[
+                $($crate::wire::Label {
+                    value: $value,
+                    name: $crate::wire::spec_name!($flag $($spec)?),
+                    doc: $crate::wire::first_doc!($($doc)+),
+                }),*
+            ];
+        }
+
+        $crate::wire::number_type!(
+            $name: $integer, read |raw| $name::from_bits_retain(raw), raw |flags| flags.bits()
+        );
+
+        #[cfg(feature = "reflect")]
+        impl $crate::reflect::NumberType for $name {
+            const NUMBER: $crate::reflect::Number = $crate::reflect::Number {
+                meaning: $crate::reflect::Meaning::Flags(Self::LABELS),
+                ..$crate::reflect::Number::plain($crate::reflect::Scalar::$integer)
+            };
+
+            fn raw_number(&self) -> i64 {
+                i64::from(self.bits())
+            }
+
+            fn from_raw_number(raw: i64) -> Option<Self> {
+                raw.try_into().ok().map(Self::from_bits_retain)
+            }
+        }
+
+        #[cfg(feature = "defmt")]
+        impl defmt::Format for $name {
+            fn format(&self, f: defmt::Formatter<'_>) {
+                defmt::write!(f, "{}({=u32:#x})", stringify!($name), u32::from(self.bits()));
+            }
+        }
+    };
+}
+pub(crate) use flags;
+
+/// The spec's name of a flag: its own, or the one that is given.
+macro_rules! spec_name {
+    ($flag:ident) => {
+        stringify!($flag)
+    };
+    ($flag:ident $spec:literal) => {
+        $spec
+    };
+}
+pub(crate) use spec_name;
+
+/// The first of several lines of documentation.
+macro_rules! first_doc {
+    ($doc:literal $($more:literal)*) => {
+        $doc.trim_ascii()
+    };
+}
+pub(crate) use first_doc;
+
+/// Declares a number that is made of several smaller ones, lowest bits first. Bits that no part takes are kept.
+///
+/// ```text
+/// bit_fields! {
+///     /// What it is.
+///     pub struct Name: u8 {
+///         /// What it means.
+///         0..=4 => channel / with_channel "CHANNEL": u8,
+///         /// What it means.
+///         5..=7 => kind / with_kind "TYPE": Kind,
+///     }
+/// }
+/// ```
+///
+/// Each part gets a reader of its name and a `with_` method; that one keeps a value that is too great for the bits at
+/// the greatest that they hold.
+macro_rules! bit_fields {
+    (
+        $(#[$attribute:meta])*
+        pub struct $name:ident: $integer:ident {
+            $($(#[doc = $doc:literal])+ $low:literal..=$high:literal => $part:ident / $with:ident $spec:literal: $ty:ty,)*
+        }
+    ) => {
+        $(#[$attribute])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+        pub struct $name(pub $integer);
+
+        impl $name {
+            $(
+                $(#[doc = $doc])+
+                #[doc = ""]
+                #[doc = concat!("Spec: `", $spec, "`, bits ", $low, " to ", $high, ".")]
+                pub fn $part(self) -> $ty {
+                    let mask = u32::MAX >> (31 - ($high - $low));
+                    <$ty as $crate::wire::BitField>::from_bits((u32::from(self.0) >> $low) & mask)
+                }
+
+                #[doc = concat!("The same with another [`", stringify!($part), "`](Self::", stringify!($part),
+                    "); one that is too great for its bits becomes the greatest they hold.")]
+                #[must_use]
+                pub fn $with(self, value: $ty) -> Self {
+                    let mask = u32::MAX >> (31 - ($high - $low));
+                    let part = $crate::wire::BitField::into_bits(value).min(mask) << $low;
+                    let bits = (u32::from(self.0) & !(mask << $low)) | part;
+                    // No bit of `bits` is beyond those of the integer.
+                    Self($integer::try_from(bits).unwrap_or($integer::MAX))
+                }
+            )*
+        }
+
+        $crate::wire::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
+
+        #[cfg(feature = "reflect")]
+        impl $crate::reflect::NumberType for $name {
+            const NUMBER: $crate::reflect::Number = $crate::reflect::Number {
+                meaning: $crate::reflect::Meaning::Bits(&[
+                    $($crate::reflect::BitPart {
+                        name: $spec,
+                        low: $low,
+                        width: $high - $low + 1,
+                        labels: <$ty as $crate::wire::BitLabels>::LABELS,
+                        doc: $crate::wire::first_doc!($($doc)+),
+                    }),*
+                ]),
+                ..$crate::reflect::Number::plain($crate::reflect::Scalar::$integer)
+            };
+
+            fn raw_number(&self) -> i64 {
+                i64::from(self.0)
+            }
+
+            fn from_raw_number(raw: i64) -> Option<Self> {
+                raw.try_into().ok().map(Self)
+            }
+        }
+    };
+}
+pub(crate) use bit_fields;
+
+/// Labels of a type that can be a part of a number: none for plain ones.
+#[cfg(feature = "reflect")]
+pub(crate) trait BitLabels {
+    const LABELS: &'static [super::Label] = &[];
+}
+
+#[cfg(feature = "reflect")]
+impl BitLabels for u8 {}
+
+#[cfg(feature = "reflect")]
+impl BitLabels for bool {}
+
+/// Lets open enumerations of one byte be parts of a number.
+macro_rules! bit_enums {
+    ($($name:ty),* $(,)?) => { $(
+        impl $crate::wire::BitField for $name {
+            fn from_bits(bits: u32) -> Self {
+                Self::from_raw(<u8 as $crate::wire::BitField>::from_bits(bits))
+            }
+
+            fn into_bits(self) -> u32 {
+                u32::from(self.raw())
+            }
+        }
+
+        #[cfg(feature = "reflect")]
+        impl $crate::wire::BitLabels for $name {
+            const LABELS: &'static [$crate::wire::Label] = <$name>::LABELS;
+        }
+    )* };
+}
+pub(crate) use bit_enums;

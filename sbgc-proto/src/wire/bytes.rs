@@ -1,0 +1,317 @@
+//! Bytes that are not numbers: blocks, reserved areas, texts, and the rest of a payload.
+
+use nom::Parser;
+use nom::multi::length_data;
+use nom::number::complete::le_u8;
+
+use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
+use crate::EncodeError;
+
+macro_rules! blocks {
+    ($($(#[$attribute:meta])* $block:ident)*) => { $(
+        $(#[$attribute])*
+        #[derive(Clone, Copy, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "defmt", derive(defmt::Format))]
+        pub struct $block<const N: usize>(pub [u8; N]);
+
+        impl<const N: usize> Default for $block<N> {
+            /// All zero.
+            fn default() -> Self {
+                Self([0; N])
+            }
+        }
+
+        impl<const N: usize> From<[u8; N]> for $block<N> {
+            fn from(bytes: [u8; N]) -> Self {
+                Self(bytes)
+            }
+        }
+
+        impl<const N: usize> Layout for $block<N> {
+            const MIN_LEN: usize = N;
+            const MAX_LEN: usize = N;
+        }
+
+        impl<'a, const N: usize> FromWire<'a> for $block<N> {
+            #[inline]
+            fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
+                match input.split_first_chunk() {
+                    Some((bytes, rest)) => Ok((rest, Self(*bytes))),
+                    None => Fault::short(N, input),
+                }
+            }
+        }
+
+        impl<const N: usize> ToWire for $block<N> {
+            #[inline]
+            fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
+                out.put(&self.0)
+            }
+        }
+
+        #[cfg(feature = "serde")]
+        crate::serde_support::block!($block);
+    )* };
+}
+
+blocks! {
+    /// A block of bytes that the protocol does not divide further. Spec type `Nb`.
+    Bytes
+    /// Bytes that the protocol keeps for later. They stay what they were, so that newer firmware, which may use them,
+    /// gets back what it sent.
+    Reserved
+    /// A text in a fixed number of bytes, filled up with zeros. The bytes stay as they are.
+    FixedText
+}
+
+impl<const N: usize> core::fmt::Debug for Bytes<N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{}", Hex(&self.0))
+    }
+}
+
+impl<const N: usize> core::fmt::Debug for Reserved<N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{}", Hex(&self.0))
+    }
+}
+
+impl<const N: usize> core::fmt::Debug for FixedText<N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self.as_str() {
+            Ok(text) => text.fmt(f),
+            Err(_) => write!(f, "{}", Hex(&self.0)),
+        }
+    }
+}
+
+impl<const N: usize> FixedText<N> {
+    /// The bytes before the first zero.
+    pub fn as_bytes(&self) -> &[u8] {
+        self.0.split(|byte| *byte == 0).next().unwrap_or_default()
+    }
+
+    /// The text before the first zero.
+    ///
+    /// # Errors
+    /// When the bytes are not UTF-8.
+    pub fn as_str(&self) -> Result<&str, core::str::Utf8Error> {
+        core::str::from_utf8(self.as_bytes())
+    }
+
+    /// `text`, filled up with zeros.
+    ///
+    /// # Errors
+    /// When it has more than `N` bytes.
+    pub fn new(text: &str) -> Result<Self, crate::OutOfRange> {
+        let mut bytes = [0; N];
+        bytes.get_mut(..text.len()).ok_or(crate::OutOfRange)?.copy_from_slice(text.as_bytes());
+        Ok(Self(bytes))
+    }
+}
+
+/// Shows bytes as lower-case hex.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hex<'b>(pub(crate) &'b [u8]);
+
+impl core::fmt::Display for Hex<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+/// A text behind its length byte, borrowed from the payload. It should be ASCII; any bytes are kept.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Text<'a>(pub &'a [u8]);
+
+impl<'a> Text<'a> {
+    /// The text.
+    ///
+    /// # Errors
+    /// When the bytes are not UTF-8.
+    pub fn as_str(&self) -> Result<&'a str, core::str::Utf8Error> {
+        core::str::from_utf8(self.0)
+    }
+}
+
+impl core::fmt::Debug for Text<'_> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self.as_str() {
+            Ok(text) => text.fmt(f),
+            Err(_) => write!(f, "{}", Hex(self.0)),
+        }
+    }
+}
+
+impl Layout for Text<'_> {
+    const MIN_LEN: usize = 1;
+    const MAX_LEN: usize = 255;
+}
+
+impl<'a> FromWire<'a> for Text<'a> {
+    fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
+        length_data(le_u8).map(Text).parse(input).map_err(|error: nom::Err<Fault>| {
+            error.map(|fault| match input.first() {
+                Some(length) => Fault { needed: 1 + usize::from(*length), left: input.len(), ..fault },
+                None => Fault { needed: 1, ..fault },
+            })
+        })
+    }
+}
+
+impl ToWire for Text<'_> {
+    fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
+        let Ok(length) = u8::try_from(self.0.len()) else {
+            return Err(EncodeError::TextTooLong { length: self.0.len() });
+        };
+        out.put(&[length])?;
+        out.put(self.0)
+    }
+}
+
+impl Layout for &[u8] {
+    const MIN_LEN: usize = 0;
+    const MAX_LEN: usize = 255;
+}
+
+/// All that is left of the payload. Spec type `Nb` without a number.
+impl<'a> FromWire<'a> for &'a [u8] {
+    fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
+        nom::combinator::rest(input)
+    }
+}
+
+impl ToWire for &[u8] {
+    fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
+        out.put(self)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for Text<'_> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.as_str() {
+            Ok(text) => serializer.serialize_str(text),
+            Err(_) => serializer.serialize_bytes(self.0),
+        }
+    }
+}
+
+#[cfg(feature = "reflect")]
+mod reflection {
+    use super::{Bytes, FixedText, Reserved, Text};
+    use crate::reflect::{
+        Assign, AssignError, Describe, FieldInfo, Input, Place, Raw, Shape, Steps, Visitor,
+    };
+
+    impl<const N: usize> Describe for Bytes<N> {
+        const SHAPE: Shape = Shape::Bytes { least: N, most: N };
+
+        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+            place.leaf(N, None, Raw::Bytes(&self.0), visitor)
+        }
+    }
+
+    impl<const N: usize> Describe for Reserved<N> {
+        const SHAPE: Shape = Shape::Bytes { least: N, most: N };
+
+        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+            place.leaf(N, None, Raw::Bytes(&self.0), visitor)
+        }
+    }
+
+    impl<const N: usize> Describe for FixedText<N> {
+        const SHAPE: Shape = Shape::Text { most: N };
+
+        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+            place.leaf(N, None, Raw::Text(&self.0), visitor)
+        }
+    }
+
+    impl Describe for Text<'_> {
+        const SHAPE: Shape = Shape::Text { most: 255 };
+
+        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+            place.leaf(self.0.len() + 1, None, Raw::Text(self.0), visitor)
+        }
+    }
+
+    impl Describe for &[u8] {
+        const SHAPE: Shape = Shape::Bytes { least: 0, most: 255 };
+
+        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+            place.leaf(self.len(), None, Raw::Bytes(self), visitor)
+        }
+    }
+
+    fn assign_block(block: &mut [u8], path: Steps<'_>, value: Input<'_>) -> Result<(), AssignError> {
+        path.end()?;
+        let (bytes, is_text) = value.bytes()?;
+        if bytes.len() > block.len() || (!is_text && bytes.len() != block.len()) {
+            return Err(AssignError::Length { expected: block.len(), got: bytes.len() });
+        }
+        block.fill(0);
+        block.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
+        Ok(())
+    }
+
+    impl<'a, const N: usize> Assign<'a> for Bytes<N> {
+        fn assign(
+            &mut self,
+            path: Steps<'_>,
+            value: Input<'a>,
+            _: &'static FieldInfo,
+        ) -> Result<(), AssignError> {
+            assign_block(&mut self.0, path, value)
+        }
+    }
+
+    impl<'a, const N: usize> Assign<'a> for Reserved<N> {
+        fn assign(
+            &mut self,
+            path: Steps<'_>,
+            value: Input<'a>,
+            _: &'static FieldInfo,
+        ) -> Result<(), AssignError> {
+            assign_block(&mut self.0, path, value)
+        }
+    }
+
+    impl<'a, const N: usize> Assign<'a> for FixedText<N> {
+        fn assign(
+            &mut self,
+            path: Steps<'_>,
+            value: Input<'a>,
+            _: &'static FieldInfo,
+        ) -> Result<(), AssignError> {
+            assign_block(&mut self.0, path, value)
+        }
+    }
+
+    impl<'a> Assign<'a> for Text<'a> {
+        fn assign(
+            &mut self,
+            path: Steps<'_>,
+            value: Input<'a>,
+            _: &'static FieldInfo,
+        ) -> Result<(), AssignError> {
+            path.end()?;
+            self.0 = value.bytes()?.0;
+            Ok(())
+        }
+    }
+
+    impl<'a> Assign<'a> for &'a [u8] {
+        fn assign(
+            &mut self,
+            path: Steps<'_>,
+            value: Input<'a>,
+            _: &'static FieldInfo,
+        ) -> Result<(), AssignError> {
+            path.end()?;
+            *self = value.bytes()?.0;
+            Ok(())
+        }
+    }
+}

@@ -1,0 +1,273 @@
+//! Repeated elements whose number the payload decides.
+
+use heapless::Vec;
+use nom::Parser;
+use nom::combinator::complete;
+use nom::multi::fold;
+use nom::number::complete::le_u8;
+
+use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
+use crate::EncodeError;
+
+/// Up to `N` elements, one after the other. Without a count of its own it reaches to the end of the payload.
+#[derive(Clone, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(transparent))]
+pub struct List<T, const N: usize>(Vec<T, N>);
+
+impl<T, const N: usize> List<T, N> {
+    /// No elements.
+    pub const fn new() -> Self {
+        Self(Vec::new())
+    }
+
+    /// Appends an element.
+    ///
+    /// # Errors
+    /// Gives the element back when there are `N` already.
+    pub fn push(&mut self, element: T) -> Result<(), T> {
+        self.0.push(element)
+    }
+
+    /// The number of elements as a count byte has it.
+    pub fn count(&self) -> u8 {
+        u8::try_from(self.0.len()).unwrap_or(u8::MAX)
+    }
+}
+
+impl<T, const N: usize> Default for List<T, N> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<T: core::fmt::Debug, const N: usize> core::fmt::Debug for List<T, N> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl<T, const N: usize> core::ops::Deref for List<T, N> {
+    type Target = [T];
+
+    fn deref(&self) -> &[T] {
+        &self.0
+    }
+}
+
+impl<T, const N: usize> core::ops::DerefMut for List<T, N> {
+    fn deref_mut(&mut self) -> &mut [T] {
+        &mut self.0
+    }
+}
+
+impl<'l, T, const N: usize> IntoIterator for &'l List<T, N> {
+    type Item = &'l T;
+    type IntoIter = core::slice::Iter<'l, T>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
+/// Takes the elements that fit, `N` at most.
+impl<T, const N: usize> FromIterator<T> for List<T, N> {
+    fn from_iter<I: IntoIterator<Item = T>>(elements: I) -> Self {
+        Self(elements.into_iter().take(N).collect())
+    }
+}
+
+impl<T: Layout, const N: usize> Layout for List<T, N> {
+    const MIN_LEN: usize = 0;
+    const MAX_LEN: usize = N * T::MAX_LEN;
+}
+
+impl<T, const N: usize> List<T, N> {
+    /// Reads a count byte, then so many elements.
+    pub(crate) fn read_counted<'a, C: Copy>(
+        field: &'static str,
+        input: &'a [u8],
+        context: C,
+    ) -> Read<'a, Self>
+    where
+        T: FromWire<'a, C>,
+    {
+        let (input, count) = le_u8(input).map_err(|error| Fault::named(error, field))?;
+        Self::read_exactly(usize::from(count), field, input, context)
+    }
+
+    /// Reads `count` elements.
+    pub(crate) fn read_exactly<'a, C: Copy>(
+        count: usize,
+        field: &'static str,
+        input: &'a [u8],
+        context: C,
+    ) -> Read<'a, Self>
+    where
+        T: FromWire<'a, C>,
+    {
+        if count > N {
+            // More than the longest payload could hold.
+            return Err(Fault::named(
+                nom::Err::Error(Fault {
+                    field: "",
+                    needed: count.saturating_mul(T::MIN_LEN),
+                    left: input.len(),
+                }),
+                field,
+            ));
+        }
+        Self::read_some(count, count, input, context).map_err(|error| Fault::named(error, field))
+    }
+
+    /// Reads `count` elements, or fewer where the payload ends after one.
+    pub(crate) fn read_at_most<'a, C: Copy>(
+        count: usize,
+        field: &'static str,
+        input: &'a [u8],
+        context: C,
+    ) -> Read<'a, Self>
+    where
+        T: FromWire<'a, C>,
+    {
+        Self::read_some(0, count.min(N), input, context).map_err(|error| Fault::named(error, field))
+    }
+
+    fn read_some<'a, C: Copy>(least: usize, most: usize, input: &'a [u8], context: C) -> Read<'a, Self>
+    where
+        T: FromWire<'a, C>,
+    {
+        if most == 0 {
+            return Ok((input, Self::new()));
+        }
+        let element = complete(|input: &'a [u8]| {
+            // An element of no bytes would repeat for ever.
+            if input.is_empty() { Fault::short(T::MIN_LEN.max(1), input) } else { T::read(input, context) }
+        });
+        let mut elements = fold(least..=most, element, Self::new, |mut list, element| {
+            // `most` is within the capacity.
+            let _ = list.push(element);
+            list
+        });
+        elements.parse(input)
+    }
+
+    fn write_all<C: Copy>(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError>
+    where
+        T: ToWire<C>,
+    {
+        self.0.iter().try_for_each(|element| element.write(context, out))
+    }
+
+    pub(crate) fn write_counted<C: Copy>(
+        &self,
+        _field: &'static str,
+        context: C,
+        out: &mut Writer<'_>,
+    ) -> Result<(), EncodeError>
+    where
+        T: ToWire<C>,
+    {
+        self.count().write((), out)?;
+        self.write_all(context, out)
+    }
+
+    pub(crate) fn write_exactly<C: Copy>(
+        &self,
+        count: usize,
+        field: &'static str,
+        context: C,
+        out: &mut Writer<'_>,
+    ) -> Result<(), EncodeError>
+    where
+        T: ToWire<C>,
+    {
+        if self.len() != count {
+            return Err(EncodeError::Count { field, expected: count, got: self.len() });
+        }
+        self.write_all(context, out)
+    }
+
+    pub(crate) fn write_at_most<C: Copy>(
+        &self,
+        count: usize,
+        field: &'static str,
+        context: C,
+        out: &mut Writer<'_>,
+    ) -> Result<(), EncodeError>
+    where
+        T: ToWire<C>,
+    {
+        if self.len() > count {
+            return Err(EncodeError::Count { field, expected: count, got: self.len() });
+        }
+        self.write_all(context, out)
+    }
+}
+
+/// Reads whole elements up to the end of the payload; what is too short for one more is left over.
+impl<'a, T: FromWire<'a, C>, C: Copy, const N: usize> FromWire<'a, C> for List<T, N> {
+    fn read(input: &'a [u8], context: C) -> Read<'a, Self> {
+        Self::read_some(0, N, input, context)
+    }
+}
+
+impl<T: ToWire<C>, C: Copy, const N: usize> ToWire<C> for List<T, N> {
+    fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError> {
+        self.write_all(context, out)
+    }
+}
+
+#[cfg(feature = "reflect")]
+impl<T: Default, const N: usize> List<T, N> {
+    /// Sets the count byte: elements are added or dropped at the end.
+    pub(crate) fn assign_count(
+        &mut self,
+        path: crate::reflect::Steps<'_>,
+        value: crate::reflect::Input<'_>,
+    ) -> Result<(), crate::reflect::AssignError> {
+        let mut count = 0_u8;
+        crate::reflect::Assign::assign(&mut count, path, value, &crate::reflect::FieldInfo::UNNAMED)?;
+        self.resize(usize::from(count))
+    }
+
+    fn resize(&mut self, count: usize) -> Result<(), crate::reflect::AssignError> {
+        if count > N {
+            return Err(crate::reflect::AssignError::TooMany { most: N });
+        }
+        self.0.truncate(count);
+        while self.0.len() < count {
+            let _ = self.0.push(T::default());
+        }
+        Ok(())
+    }
+}
+
+#[cfg(feature = "reflect")]
+impl<T: crate::reflect::Describe, const N: usize> crate::reflect::Describe for List<T, N> {
+    const SHAPE: crate::reflect::Shape = crate::reflect::Shape::List { most: N, element: &T::SHAPE };
+
+    fn walk(&self, place: &crate::reflect::Place<'_>, visitor: &mut dyn crate::reflect::Visitor) -> usize {
+        crate::reflect::walk_elements(&self.0, place, visitor)
+    }
+}
+
+#[cfg(feature = "reflect")]
+impl<'a, T: crate::reflect::Assign<'a> + Default, const N: usize> crate::reflect::Assign<'a> for List<T, N> {
+    fn assign(
+        &mut self,
+        mut path: crate::reflect::Steps<'_>,
+        value: crate::reflect::Input<'a>,
+        field: &'static crate::reflect::FieldInfo,
+    ) -> Result<(), crate::reflect::AssignError> {
+        let index = path.next_index(N)?;
+        if index >= self.0.len() {
+            self.resize(index.saturating_add(1))?;
+        }
+        match self.0.get_mut(index) {
+            Some(element) => element.assign(path, value, field),
+            None => Err(crate::reflect::AssignError::TooMany { most: N }),
+        }
+    }
+}

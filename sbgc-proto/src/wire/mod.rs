@@ -1,0 +1,60 @@
+//! How one field becomes bytes and back: the vocabulary in which messages are declared.
+//!
+//! Here live the traits [`FromWire`], [`ToWire`] and [`Layout`], and the types that know nothing of gimbals: integers,
+//! floats, arrays, per-axis groups, lists, texts, reserved bytes, bit fields. Physical quantities are in
+//! [`units`](crate::units), whole payloads in [`commands`](crate::commands).
+//!
+//! All numbers are little-endian and packed. [`FromWire::read`] has the shape of a [`nom`] parser, so `T::read` can be
+//! handed to nom's combinators; the parts whose length the payload itself decides (lists, texts) are parsed by them.
+
+mod axes;
+mod bits;
+mod bytes;
+mod fault;
+mod list;
+mod number;
+mod option;
+#[cfg(test)]
+mod tests;
+mod writer;
+
+pub use axes::{PerAxis, PerXyz};
+pub use bytes::{Bytes, FixedText, Reserved, Text};
+pub use fault::{Fault, Read};
+pub use list::List;
+pub use number::{Float, Label, U24};
+pub use writer::Writer;
+
+#[cfg(feature = "reflect")]
+pub(crate) use bits::BitLabels;
+pub(crate) use bits::{BitField, bit_enums, bit_fields, first_doc, flags, spec_name};
+#[cfg(any(feature = "serde", test))]
+pub(crate) use bytes::Hex;
+pub(crate) use number::number_type;
+pub(crate) use option::{read_field, read_tail, read_when, write_tail, write_when};
+
+use crate::EncodeError;
+
+/// How many bytes a value takes on the wire.
+pub trait Layout: Sized {
+    /// The fewest bytes.
+    const MIN_LEN: usize;
+    /// The most bytes.
+    const MAX_LEN: usize;
+}
+
+/// Can be read from the bytes of a payload. `C` is what must be known besides them, `()` for most.
+pub trait FromWire<'a, C = ()>: Layout {
+    /// Reads a value from the front of `input` and returns what follows it.
+    fn read(input: &'a [u8], context: C) -> Read<'a, Self>;
+}
+
+/// Can be written as bytes of a payload. `C` is the same as in [`FromWire`].
+pub trait ToWire<C = ()> {
+    /// Appends the value to `out`.
+    ///
+    /// # Errors
+    /// When `out` is full, or when the value contradicts itself, for example in an optional part that is there though
+    /// a flag says that it is not.
+    fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError>;
+}

@@ -1,0 +1,200 @@
+//! What declarations of every shape do, on small messages made for it.
+
+use sbgc_proto_macros::{message, record};
+
+use super::{List, PerAxis, Reserved, Text};
+use crate::units::Angle;
+use crate::{DecodeError, EncodeError, Message};
+
+/// Optional tails.
+#[message(CMD_CALIB_ACC, outgoing, size = 1..=6)]
+pub(super) struct Tails {
+    /// Always there.
+    pub first: u8,
+    /// From the second byte on.
+    pub second: Option<u16>,
+    /// To the end.
+    #[wire(since = "2.70")]
+    pub third: Option<[u8; 3]>,
+}
+
+/// Conditions on earlier fields.
+#[message(CMD_CALIB_GYRO, outgoing, size = 1..=7)]
+pub(super) struct Conditions {
+    /// What follows.
+    pub flags: u8,
+    /// With bit 0.
+    #[wire(when = *flags & 1 != 0)]
+    pub low: Option<PerAxis<u8>>,
+    /// With bit 1.
+    #[wire(when = *flags & 2 != 0, context = *flags)]
+    pub nested: Option<Nested>,
+}
+
+/// Knows what stands before it.
+#[record(context(outer: u8))]
+pub(super) struct Nested {
+    /// With bit 7 of the outer flags.
+    #[wire(when = outer & 0x80 != 0)]
+    pub wide: Option<u16>,
+    /// Always.
+    pub narrow: u8,
+}
+
+/// Lists of all kinds.
+#[message(CMD_CALIB_MAG, incoming, size = 2..=255)]
+pub(super) struct Lists<'a> {
+    /// With a count byte.
+    #[wire(counted_by = "NUM")]
+    pub counted: List<Angle, 4>,
+    /// As many as it says.
+    pub most: u8,
+    /// At most that.
+    #[wire(at_most = usize::from(*most))]
+    pub named: List<Named<'a>, 8>,
+}
+
+/// A text and a number.
+#[record]
+pub(super) struct Named<'a> {
+    /// The text.
+    pub name: Text<'a>,
+    /// Kept.
+    pub reserved: Reserved<1>,
+}
+
+/// The same as another.
+#[message(CMD_CALIB_BAT, outgoing, size = 1..=6)]
+pub(super) struct Other(pub Tails);
+
+fn bytes<M: Message + super::ToWire>(message: &M) -> heapless::Vec<u8, 255> {
+    let mut buffer = [0; 255];
+    heapless::Vec::from_slice(message.encode(&mut buffer).unwrap()).unwrap()
+}
+
+#[test]
+fn tails_end_where_the_payload_ends() {
+    let whole = Tails::decode(&[1, 2, 3, 4, 5, 6]).unwrap();
+    assert_eq!(whole, Tails { first: 1, second: Some(0x0302), third: Some([4, 5, 6]) });
+    assert_eq!(bytes(&whole), [1, 2, 3, 4, 5, 6]);
+    assert_eq!(Tails::decode(&[1]).unwrap(), Tails { first: 1, ..Tails::default() });
+    assert_eq!(
+        Tails::decode(&[]),
+        Err(DecodeError::TooShort { command: "CMD_CALIB_ACC", needed: 1, got: 0 })
+    );
+    assert_eq!(
+        Tails::decode(&[1, 2, 3, 4]),
+        Err(DecodeError::Truncated {
+            command: "CMD_CALIB_ACC",
+            field: "THIRD",
+            offset: 4,
+            needed: 1,
+            got: 0
+        })
+    );
+    assert_eq!(Tails::decode_prefix(&[1, 2, 3, 4, 5, 6, 7]).unwrap().1, [7]);
+    let gap = Tails { first: 1, second: None, third: Some([0; 3]) };
+    assert_eq!(gap.encode(&mut [0; 9]), Err(EncodeError::Gap { field: "THIRD", absent: "SECOND" }));
+}
+
+#[test]
+fn a_tuple_of_one_is_what_it_holds() {
+    assert_eq!(Other::decode(&[1]).unwrap(), Other(Tails { first: 1, ..Tails::default() }));
+    assert_eq!(bytes(&Other(Tails { first: 7, ..Tails::default() })), [7]);
+}
+
+#[test]
+fn conditions_decide_in_both_directions() {
+    let payload = [0x83, 1, 2, 3, 0x34, 0x12, 9];
+    let message = Conditions::decode(&payload).unwrap();
+    assert_eq!(message.low, Some(PerAxis { roll: 1, pitch: 2, yaw: 3 }));
+    assert_eq!(message.nested, Some(Nested { wide: Some(0x1234), narrow: 9 }));
+    assert_eq!(bytes(&message), payload);
+    assert_eq!(Conditions::decode(&[2, 9]).unwrap().nested, Some(Nested { wide: None, narrow: 9 }));
+
+    let missing = Conditions { flags: 1, ..Conditions::default() };
+    assert_eq!(missing.encode(&mut [0; 9]), Err(EncodeError::Presence { field: "LOW", expected: true }));
+    let surplus = Conditions { low: Some(PerAxis::default()), ..Conditions::default() };
+    assert_eq!(surplus.encode(&mut [0; 9]), Err(EncodeError::Presence { field: "LOW", expected: false }));
+}
+
+#[test]
+fn lists_count_in_every_way() {
+    let payload = [2, 0, 16, 0, 32, 3, 2, b'A', b'B', 7, 0, 8];
+    let (message, rest) = Lists::decode_prefix(&payload).unwrap();
+    assert_eq!(&message.counted[..], [Angle(4096), Angle(8192)]);
+    assert_eq!(message.named.len(), 2);
+    assert_eq!(message.named[0].name.as_str(), Ok("AB"));
+    assert!(rest.is_empty());
+    assert_eq!(bytes(&message), payload);
+
+    let cut = Lists::decode(&[3, 0, 16]);
+    let expected =
+        DecodeError::Truncated { command: "CMD_CALIB_MAG", field: "COUNTED", offset: 3, needed: 2, got: 0 };
+    assert_eq!(cut, Err(expected));
+    assert!(Lists::decode(&[5, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]).is_err(), "more than the list holds");
+}
+
+#[cfg(feature = "reflect")]
+mod reflection {
+    use super::*;
+    use crate::reflect::{self, Input};
+
+    fn leaves<T: reflect::Describe>(message: &T) -> Vec<String> {
+        let mut leaves = Vec::new();
+        reflect::walk(message, &mut |leaf: &reflect::Leaf<'_>| {
+            leaves.push(format!("{}@{}+{} {}", leaf.path, leaf.offset, leaf.size, leaf.field.spec));
+        });
+        leaves
+    }
+
+    #[test]
+    fn every_leaf_has_its_place() {
+        let payload = [2, 0, 16, 0, 32, 3, 2, b'A', b'B', 7, 0, 8];
+        let message = Lists::decode(&payload).unwrap();
+        assert_eq!(
+            leaves(&message),
+            [
+                "num@0+1 NUM",
+                "counted[0]@1+2 COUNTED",
+                "counted[1]@3+2 COUNTED",
+                "most@5+1 MOST",
+                "named[0].name@6+3 NAME",
+                "named[0].reserved@9+1 RESERVED",
+                "named[1].name@10+1 NAME",
+                "named[1].reserved@11+1 RESERVED",
+            ]
+        );
+    }
+
+    #[test]
+    fn fields_are_set_by_path() {
+        let mut message = Lists::default();
+        for (path, value) in [
+            ("counted[1]", Input::Text("45")),
+            ("most", Input::Raw(8)),
+            ("NAMED[0].name", Input::Text("hello")),
+            ("named[0].reserved", Input::Bytes(&[5])),
+        ] {
+            reflect::set(&mut message, path, value).unwrap();
+        }
+        assert_eq!(bytes(&message), [2, 0, 0, 0, 8, 8, 5, b'h', b'e', b'l', b'l', b'o', 5]);
+        reflect::set(&mut message, "num", Input::Raw(0)).unwrap();
+        assert_eq!(message.counted.len(), 0);
+
+        let error = |message: &mut Lists<'static>, path, value| {
+            reflect::set(message, path, value).unwrap_err().to_string()
+        };
+        let mut message = Lists::default();
+        assert_eq!(
+            error(&mut message, "mist", Input::Raw(1)),
+            "no such field; there are num, counted, most, named"
+        );
+        assert_eq!(
+            error(&mut message, "counted[4]", Input::Raw(1)),
+            "no such element; say which in brackets, [0] to [3]"
+        );
+        assert_eq!(error(&mut message, "most", Input::Text("300")), "out of range, which is 0 to 255");
+        assert_eq!(error(&mut message, "most", Input::Text("few")), "not a number");
+    }
+}

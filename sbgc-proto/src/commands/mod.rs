@@ -15,7 +15,9 @@
 mod board;
 mod common;
 mod control;
+mod storage;
 
 pub use board::*;
 pub use common::*;
 pub use control::*;
+pub use storage::*;

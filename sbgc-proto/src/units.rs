@@ -146,6 +146,9 @@ quantities! {
     /// An acceleration as sensors have it.
     Acceleration(i16): g / from_g / try_from_g -> f32, "g", 1 / 512;
 
+    /// The greatest acceleration there was, in coarse steps.
+    PeakAcceleration(u8): g / from_g / try_from_g -> f32, "g", 1 / 16;
+
     /// A limit of angular acceleration in coarse steps; 0 is no limit.
     AccelerationLimit(u8): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2 -> f32,
         "deg/s^2", 5 / 1;
@@ -179,6 +182,9 @@ quantities! {
 
     /// A size of flash memory.
     FlashSize(u8): kibibytes / from_kibibytes / try_from_kibibytes -> f32, "KiB", 32 / 1;
+
+    /// A place in a file, in pages of 64 bytes.
+    PageOffset(u16): bytes / from_bytes / try_from_bytes -> f32, "byte", 64 / 1;
 }
 
 /// The version of the firmware as the board gives it: 2305 is 2.30 beta 5, and from 2.73 on the last digit is a patch

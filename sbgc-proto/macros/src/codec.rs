@@ -44,13 +44,13 @@ fn read(structure: &Structure) -> TokenStream {
     let steps = structure.fields.iter().map(|field| {
         let (name, ty, held) = (&field.name, &field.ty, held(field));
         let value = read_field(field);
-        quote! {
+        local! {
             let (input, #held): (_, #ty) = #value?;
             let #name = &#held;
         }
     });
     let construction = structure.construction();
-    quote! {
+    local! {
         impl #generics crate::wire::FromWire<#lifetime, #context_type> for #ty {
             #[allow(unused_variables, reason = "only conditions look back at earlier fields")]
             fn read(input: &#lifetime [u8], context: #context_type) -> crate::wire::Read<#lifetime, Self> {
@@ -66,18 +66,18 @@ fn read_field(field: &Field) -> TokenStream {
     let spec = &field.spec;
     let context = context_of(field);
     if let Some(when) = &field.arguments.when {
-        return quote!(crate::wire::read_when(#when, #spec, input, #context));
+        return local!(crate::wire::read_when(#when, #spec, input, #context));
     }
     if field.is_option {
-        return quote!(crate::wire::read_tail(#spec, input, #context));
+        return local!(crate::wire::read_tail(#spec, input, #context));
     }
     match &field.arguments.count {
-        None => quote!(crate::wire::read_field(#spec, input, #context)),
-        Some(Count::Prefix(_)) => quote!(crate::wire::List::read_counted(#spec, input, #context)),
+        None => local!(crate::wire::read_field(#spec, input, #context)),
+        Some(Count::Prefix(_)) => local!(crate::wire::List::read_counted(#spec, input, #context)),
         Some(Count::Exactly(count)) => {
-            quote!(crate::wire::List::read_exactly(#count, #spec, input, #context))
+            local!(crate::wire::List::read_exactly(#count, #spec, input, #context))
         }
-        Some(Count::AtMost(count)) => quote!(crate::wire::List::read_at_most(#count, #spec, input, #context)),
+        Some(Count::AtMost(count)) => local!(crate::wire::List::read_at_most(#count, #spec, input, #context)),
     }
 }
 
@@ -86,9 +86,9 @@ fn write(structure: &Structure) -> TokenStream {
     let context = bind_context(structure);
     let pattern = structure.pattern();
     let has_tail = structure.fields.iter().any(|field| field.is_option && field.arguments.when.is_none());
-    let ended = has_tail.then(|| quote!(let mut ended = None;));
+    let ended = has_tail.then(|| local!(let mut ended = None;));
     let steps = structure.fields.iter().map(write_field);
-    quote! {
+    local! {
         impl #generics crate::wire::ToWire<#context_type> for #ty {
             #[allow(unused_variables, reason = "only conditions look at the context")]
             fn write(
@@ -110,22 +110,22 @@ fn write_field(field: &Field) -> TokenStream {
     let (name, spec) = (&field.name, &field.spec);
     let context = context_of(field);
     if let Some(when) = &field.arguments.when {
-        return quote!(crate::wire::write_when(#when, #spec, #name.as_ref(), #context, out)?;);
+        return local!(crate::wire::write_when(#when, #spec, #name.as_ref(), #context, out)?;);
     }
     if field.is_option {
-        return quote!(crate::wire::write_tail(&mut ended, #spec, #name.as_ref(), #context, out)?;);
+        return local!(crate::wire::write_tail(&mut ended, #spec, #name.as_ref(), #context, out)?;);
     }
     match &field.arguments.count {
-        None => quote!(crate::wire::ToWire::write(#name, #context, out)?;),
-        Some(Count::Prefix(_)) => quote!(#name.write_counted(#spec, #context, out)?;),
-        Some(Count::Exactly(count)) => quote!(#name.write_exactly(#count, #spec, #context, out)?;),
-        Some(Count::AtMost(count)) => quote!(#name.write_at_most(#count, #spec, #context, out)?;),
+        None => local!(crate::wire::ToWire::write(#name, #context, out)?;),
+        Some(Count::Prefix(_)) => local!(#name.write_counted(#spec, #context, out)?;),
+        Some(Count::Exactly(count)) => local!(#name.write_exactly(#count, #spec, #context, out)?;),
+        Some(Count::AtMost(count)) => local!(#name.write_at_most(#count, #spec, #context, out)?;),
     }
 }
 
 fn bind_context(structure: &Structure) -> Option<TokenStream> {
     let name = &structure.arguments.context.as_ref()?.name;
-    Some(quote!(let #name = &context;))
+    Some(local!(let #name = &context;))
 }
 
 fn context_of(field: &Field) -> TokenStream {

@@ -8,6 +8,13 @@
 //! The written struct stays the struct that is used. The macros add attributes and trait implementations, nothing
 //! else; what they write never indexes, unwraps or casts.
 
+/// `quote!` for code with variables of its own: a field may have the name of any of them.
+macro_rules! local {
+    ($($tokens:tt)*) => {
+        ::quote::quote_spanned!(::proc_macro2::Span::mixed_site() => $($tokens)*)
+    };
+}
+
 mod attributes;
 mod codec;
 mod documentation;

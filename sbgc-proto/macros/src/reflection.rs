@@ -26,16 +26,16 @@ pub(crate) fn of_structure(structure: &Structure) -> TokenStream {
             let index = infos.len();
             let count_name = count.to_lowercase();
             infos.push(count_info(&count_name, count));
-            walks.push(quote!(size += place.field(FIELDS, #index, size).walk(&#name.count(), visitor);));
-            arms.push(quote!(#count_name => #name.assign_count(path, value)));
+            walks.push(local!(size += place.field(FIELDS, #index, size).walk(&#name.count(), visitor);));
+            arms.push(local!(#count_name => #name.assign_count(path, value)));
         }
         let index = infos.len();
         infos.push(info(field));
-        walks.push(quote!(size += place.field(FIELDS, #index, size).walk(#name, visitor);));
-        arms.push(quote!(#text => crate::reflect::Assign::assign(#name, path, value, &FIELDS[#index])));
+        walks.push(local!(size += place.field(FIELDS, #index, size).walk(#name, visitor);));
+        arms.push(local!(#text => crate::reflect::Assign::assign(#name, path, value, &FIELDS[#index])));
     }
     let pattern = structure.pattern();
-    quote! {
+    local! {
         #[cfg(feature = "reflect")]
         const _: () = {
             const FIELDS: &[crate::reflect::FieldInfo] = &[#(#infos),*];
@@ -118,7 +118,7 @@ fn of_transparent(structure: &Structure) -> TokenStream {
         None => (quote!(<'wire>), quote!('wire)),
     };
     let inner = structure.fields.iter().map(|field| &field.ty);
-    quote! {
+    local! {
         #[cfg(feature = "reflect")]
         const _: () = {
             impl #generics crate::reflect::Describe for #ty {

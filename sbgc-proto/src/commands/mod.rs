@@ -15,7 +15,15 @@
 mod board;
 mod common;
 mod control;
+mod i2c;
+mod scripts;
+mod storage;
+mod system;
 
 pub use board::*;
 pub use common::*;
 pub use control::*;
+pub use i2c::*;
+pub use scripts::*;
+pub use storage::*;
+pub use system::*;

@@ -67,6 +67,33 @@ pub(super) struct Named<'a> {
 #[message(CMD_CALIB_BAT, outgoing, size = 1..=6)]
 pub(super) struct Other(pub Tails);
 
+/// Fields with the names that generated code has for variables.
+#[message(CMD_CALIB_OFFSET, outgoing, size = 9..=12)]
+pub(super) struct Names {
+    /// A name.
+    pub input: u8,
+    /// A name.
+    pub context: u8,
+    /// A name.
+    pub out: u8,
+    /// A name.
+    pub place: u8,
+    /// A name.
+    pub visitor: u8,
+    /// A name.
+    pub size: u8,
+    /// A name.
+    pub path: u8,
+    /// A name.
+    #[wire(counted_by = "COUNT")]
+    pub value: List<u8, 2>,
+    /// A name.
+    #[wire(when = *size & 1 != 0)]
+    pub held: Option<u8>,
+    /// A name.
+    pub ended: Option<u8>,
+}
+
 fn bytes<M: Message + super::ToWire>(message: &M) -> heapless::Vec<u8, 255> {
     let mut buffer = [0; 255];
     heapless::Vec::from_slice(message.encode(&mut buffer).unwrap()).unwrap()
@@ -119,6 +146,14 @@ fn conditions_decide_in_both_directions() {
 }
 
 #[test]
+fn fields_may_have_any_name() {
+    let payload = [1, 2, 3, 4, 5, 7, 6, 1, 9, 10, 11];
+    let message = Names::decode(&payload).unwrap();
+    assert_eq!((message.size, message.held, message.ended), (7, Some(10), Some(11)));
+    assert_eq!(bytes(&message), payload);
+}
+
+#[test]
 fn lists_count_in_every_way() {
     let payload = [2, 0, 16, 0, 32, 3, 2, b'A', b'B', 7, 0, 8];
     let (message, rest) = Lists::decode_prefix(&payload).unwrap();
@@ -165,6 +200,17 @@ mod reflection {
                 "named[1].reserved@11+1 RESERVED",
             ]
         );
+    }
+
+    #[test]
+    fn fields_of_any_name_are_found() {
+        let mut message = Names::default();
+        for path in ["size", "path", "value[0]"] {
+            reflect::set(&mut message, path, Input::Raw(1)).unwrap();
+        }
+        let leaves = leaves(&message);
+        assert_eq!(leaves[6], "path@6+1 PATH");
+        assert_eq!(leaves[8], "value[0]@8+1 VALUE");
     }
 
     #[test]

@@ -1,0 +1,94 @@
+//! Registers of devices on the board's I2C buses.
+
+use sbgc_proto_macros::{message, open_enum};
+
+use crate::wire::{bit_enums, bit_fields};
+
+/// Writes to a register of a device. The board confirms when that succeeded.
+#[message(CMD_I2C_WRITE_REG_BUF, outgoing, size = 2..=255)]
+pub struct I2cWriteRegBuf<'a> {
+    /// Which device.
+    pub device_addr: I2cDevice,
+    /// The register to write.
+    pub reg_addr: u8,
+    /// What to write. The vendor's library sends 1 to 240 bytes.
+    pub data: &'a [u8],
+}
+
+/// Reads from a register of a device. The board answers when that succeeded.
+#[message(CMD_I2C_READ_REG_BUF, outgoing, size = 3, answer = I2cReadRegBuf<'answer>)]
+pub struct I2cReadRegBufRequest {
+    /// Which device.
+    pub device_addr: I2cDevice,
+    /// The register to read.
+    pub reg_addr: u8,
+    /// How many bytes to read.
+    #[wire(unit = "byte", range = 1..=255)]
+    pub data_len: u8,
+}
+
+/// What was read from a register of a device.
+#[message(CMD_I2C_READ_REG_BUF, incoming, size = 1..=255)]
+pub struct I2cReadRegBuf<'a> {
+    /// As many bytes as were asked for.
+    pub data: &'a [u8],
+}
+
+bit_fields! {
+    /// A device on one of the buses.
+    ///
+    /// ```
+    /// use sbgc_proto::commands::{I2cDevice, I2cPort};
+    ///
+    /// assert_eq!(I2cDevice::new(I2cPort::External, 0x68), I2cDevice(0xD0));
+    /// ```
+    pub struct I2cDevice: u8 {
+        /// The bus.
+        0..=0 => port / with_port "PORT": I2cPort,
+        /// The device's address of seven bits.
+        1..=7 => address / with_address "ADDRESS": u8,
+    }
+}
+
+impl I2cDevice {
+    /// The device with this address of seven bits.
+    pub fn new(port: I2cPort, address: u8) -> Self {
+        Self(0).with_port(port).with_address(address)
+    }
+}
+
+/// A bus.
+#[open_enum(u8)]
+pub enum I2cPort {
+    /// The external one, with the inertial measurement units.
+    External = 0,
+    /// The internal one, with the EEPROM.
+    Internal = 1,
+}
+bit_enums!(I2cPort);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Message;
+
+    /// Made by hand from the layout.
+    #[test]
+    fn the_lowest_bit_of_the_address_is_the_bus() {
+        let mut buffer = [0; 255];
+        let request = I2cReadRegBufRequest {
+            device_addr: I2cDevice::new(I2cPort::Internal, 0x50),
+            reg_addr: 6,
+            data_len: 2,
+        };
+        assert_eq!(request.encode(&mut buffer), Ok(&[0xA1, 6, 2][..]));
+        assert_eq!(I2cReadRegBufRequest::decode(&[0xA1, 6, 2]), Ok(request));
+
+        let payload = [0xDF, 0xD5, 1, 2, 3];
+        let write = I2cWriteRegBuf::decode(&payload).unwrap();
+        assert_eq!((write.device_addr.port(), write.device_addr.address()), (I2cPort::Internal, 0x6F));
+        assert_eq!((write.reg_addr, write.data), (0xD5, &[1, 2, 3][..]));
+        assert_eq!(write.encode(&mut buffer), Ok(&payload[..]));
+        assert_eq!(I2cReadRegBuf::decode(&[7]), Ok(I2cReadRegBuf { data: &[7] }));
+    }
+}

@@ -1,0 +1,61 @@
+//! Scripts of the user that the board runs by itself.
+
+use sbgc_proto_macros::{message, open_enum};
+
+use crate::commands::FileErrorCode;
+use crate::wire::Reserved;
+
+/// Starts or stops a script. Only boards with the feature `BOARD_FEATURE_SCRIPTING` can.
+///
+/// Whether the board answers is not settled: one source expects a confirmation, the vendor's libraries wait for none.
+/// Take one if it comes and do not rely on it.
+#[message(CMD_RUN_SCRIPT, outgoing, size = 34)]
+pub struct RunScript {
+    /// What to do.
+    pub mode: RunScriptMode,
+    /// Which script, counted from 0. Firmware 2.6x has five slots, newer firmware ten.
+    #[wire(range = 0..=9)]
+    pub slot: u8,
+    pub reserved: Reserved<32>,
+}
+
+/// How far a script is that was started with [`RunScriptMode::StartWithDebug`].
+#[message(CMD_SCRIPT_DEBUG, incoming, size = 3)]
+pub struct ScriptDebug {
+    /// The number of the command that the script is at.
+    pub cmd_count: u16,
+    /// What went wrong. The specification points to the errors of files; the vendor's library means the general errors
+    /// of `CMD_ERROR`, which share their numbers.
+    pub err_code: FileErrorCode,
+}
+
+/// What to do with a script. Spec: `RUN_SCRIPT_MODE`.
+#[open_enum(u8)]
+pub enum RunScriptMode {
+    /// Stop it.
+    Stop = 0,
+    /// Start it.
+    Start = 1,
+    /// Start it and report each step by [`ScriptDebug`].
+    StartWithDebug = 2,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Message;
+
+    /// Made by hand from the layout.
+    #[test]
+    fn scripts_start_with_debug_and_report() {
+        let mut payload = [0; 34];
+        payload[..2].copy_from_slice(&[2, 4]);
+        let request = RunScript { mode: RunScriptMode::StartWithDebug, slot: 4, ..RunScript::default() };
+        assert_eq!(request.encode(&mut [0; 34]), Ok(&payload[..]));
+        assert_eq!(RunScript::decode(&payload), Ok(request));
+
+        let report = ScriptDebug::decode(&[0x39, 0x4A, 8]).unwrap();
+        assert_eq!(report, ScriptDebug { cmd_count: 19_001, err_code: FileErrorCode::LimitReached });
+        assert_eq!(report.encode(&mut [0; 3]), Ok(&[0x39, 0x4A, 8][..]));
+    }
+}

@@ -1,0 +1,88 @@
+//! Listening to what goes over the other ports.
+
+use sbgc_proto_macros::{message, open_enum};
+
+use crate::CommandId;
+use crate::wire::{Reserved, bit_fields, flags};
+
+/// Has the board send a copy of what goes over its other ports, or stop that. The board confirms it.
+#[message(CMD_SET_DEBUG_PORT, outgoing, size = 16, since = "2.66b4")]
+pub struct SetDebugPortRequest {
+    /// What to do.
+    pub action: DebugPortAction,
+    /// Which messages to leave out.
+    pub cmd_filter: DebugPortFilter,
+    pub reserved: Reserved<11>,
+}
+
+/// A message that went over another port. Only such as were intact are sent.
+///
+/// What the board does with a payload too long for the 251 bytes that are left for it is not known.
+#[message(CMD_SET_DEBUG_PORT, incoming, size = 4..=255, since = "2.66b4")]
+pub struct SetDebugPort<'a> {
+    /// When it was seen: the time since the start, which begins again after 65.5 s.
+    #[wire(unit = "ms")]
+    pub time_ms: u16,
+    /// Over which port it went, and which way.
+    pub port_and_dir: PortAndDirection,
+    /// Its command.
+    pub cmd_id: CommandId,
+    /// Its payload.
+    pub payload: &'a [u8],
+}
+
+bit_fields! {
+    /// A port, and which way a message went over it.
+    pub struct PortAndDirection: u8 {
+        /// Number of the port.
+        0..=6 => port / with_port "PORT": u8,
+        /// Which way. Whether 1 means to the board or from it is not known.
+        7..=7 => direction / with_direction "DIR": bool,
+    }
+}
+
+/// What to do with the copy. Spec: `DEBUG_PORT_ACTION`.
+#[open_enum(u8)]
+pub enum DebugPortAction {
+    /// Send it no longer.
+    Stop = 0,
+    /// Send it to the port that this command comes on.
+    Start = 1,
+}
+
+flags! {
+    /// Which messages are left out: a set bit keeps one from being sent. Only the `plus` firmware looks at it. Spec:
+    /// `DEBUG_PORT_FILTER`.
+    pub struct DebugPortFilter: u32 {
+        /// Real-time data.
+        const REALTIME_DATA_3 "CMD_REALTIME_DATA_3" = 1 << 0;
+        /// Extended real-time data.
+        const REALTIME_DATA_4 "CMD_REALTIME_DATA_4" = 1 << 1;
+        /// Real-time data chosen by flags.
+        const REALTIME_DATA_CUSTOM "CMD_REALTIME_DATA_CUSTOM" = 1 << 2;
+        /// Debug variables.
+        const DEBUG_VARS_3 "CMD_DEBUG_VARS_3" = 1 << 3;
+        /// Debug information of MAVLink.
+        const MAVLINK_DEBUG "CMD_MAVLINK_DEBUG" = 1 << 4;
+        /// Angles.
+        const GET_ANGLES "CMD_GET_ANGLES" = 1 << 5;
+        /// Extended angles.
+        const GET_ANGLES_EXT "CMD_GET_ANGLES_EXT" = 1 << 6;
+        /// Data of the Bode test.
+        const BODE_TEST_DATA "CMD_BODE_TEST_DATA" = 1 << 7;
+        /// Helper data from a flight controller.
+        const HELPER_DATA "CMD_HELPER_DATA" = 1 << 8;
+        /// Attitude from or to another system.
+        const AHRS_HELPER "CMD_AHRS_HELPER" = 1 << 9;
+        /// Corrections of the gyroscope.
+        const GYRO_CORRECTION "CMD_GYRO_CORRECTION" = 1 << 10;
+        /// Control.
+        const CONTROL "CMD_CONTROL" = 1 << 11;
+        /// Changes of adjustable variables.
+        const SET_ADJ_VARS_VAL "CMD_SET_ADJ_VARS_VAL" = 1 << 12;
+        /// Virtual channels.
+        const API_VIRT_CH_CONTROL "CMD_API_VIRT_CH_CONTROL" = 1 << 13;
+        /// Virtual channels in high resolution.
+        const API_VIRT_CH_HIGH_RES "CMD_API_VIRT_CH_HIGH_RES" = 1 << 14;
+    }
+}

@@ -1,0 +1,79 @@
+//! Signatures and passwords.
+
+use sbgc_proto_macros::message;
+
+use crate::wire::{Bytes, Reserved, Text, flags};
+
+/// Has the board sign a message with its secret keys.
+#[message(CMD_SIGN_MESSAGE, outgoing, size = 33, answer = SignMessage)]
+pub struct SignMessageRequest {
+    /// Which set of keys to use.
+    pub sign_type: u8,
+    /// The message; shorter ones are filled up with zeros.
+    pub message: Bytes<32>,
+}
+
+/// The signature of a message.
+#[message(CMD_SIGN_MESSAGE, incoming, size = 32)]
+pub struct SignMessage {
+    /// The signature.
+    pub signature: Bytes<32>,
+}
+
+/// Asks what the password protects.
+#[message(CMD_PASS_PROTECT_READ, outgoing, size = 0, since = "2.73.6", answer = PassProtectRead)]
+pub struct PassProtectReadRequest {}
+
+/// What the password protects. Known from one source only, the vendor's Python library.
+#[message(CMD_PASS_PROTECT_READ, incoming, size = 8, since = "2.73.6")]
+pub struct PassProtectRead {
+    /// What is protected.
+    pub flags: PassProtectFlags,
+    pub reserved: Reserved<4>,
+}
+
+/// Sets what the password protects, and the password. The board confirms it.
+///
+/// Known from one source only, the vendor's Python library.
+#[message(CMD_PASS_PROTECT_WRITE, outgoing, size = 9..=41, since = "2.73.6")]
+pub struct PassProtectWrite<'a> {
+    /// What to protect.
+    pub flags: PassProtectFlags,
+    pub reserved: Reserved<4>,
+    /// The new password of at most 32 bytes; an empty one keeps the present password.
+    pub new_password: Text<'a>,
+}
+
+flags! {
+    /// What the password protects. Spec: `PASS_PROTECT_FLAG`.
+    pub struct PassProtectFlags: u32 {
+        /// The parameters are encrypted.
+        const ENCRYPT_PARAMS = 1 << 1;
+        /// Called silent; what that does is not published.
+        const SILENT = 1 << 2;
+        /// Channel 1 is protected.
+        const CHANNEL_1_ENABLED = 1 << 4;
+        /// Channel 2 is protected.
+        const CHANNEL_2_ENABLED = 1 << 5;
+        /// Channel 3 is protected.
+        const CHANNEL_3_ENABLED = 1 << 6;
+        /// Channel 4 is protected.
+        const CHANNEL_4_ENABLED = 1 << 7;
+        /// Channel 5 is protected.
+        const CHANNEL_5_ENABLED = 1 << 8;
+        /// Channel 6 is protected.
+        const CHANNEL_6_ENABLED = 1 << 9;
+        /// Channel 1, though protected, may control the gimbal.
+        const CHANNEL_1_ALLOW_CONTROL = 1 << 10;
+        /// Channel 2, though protected, may control the gimbal.
+        const CHANNEL_2_ALLOW_CONTROL = 1 << 11;
+        /// Channel 3, though protected, may control the gimbal.
+        const CHANNEL_3_ALLOW_CONTROL = 1 << 12;
+        /// Channel 4, though protected, may control the gimbal.
+        const CHANNEL_4_ALLOW_CONTROL = 1 << 13;
+        /// Channel 5, though protected, may control the gimbal.
+        const CHANNEL_5_ALLOW_CONTROL = 1 << 14;
+        /// Channel 6, though protected, may control the gimbal.
+        const CHANNEL_6_ALLOW_CONTROL = 1 << 15;
+    }
+}

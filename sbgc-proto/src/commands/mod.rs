@@ -15,7 +15,9 @@
 mod board;
 mod common;
 mod control;
+mod params;
 
 pub use board::*;
 pub use common::*;
 pub use control::*;
+pub use params::*;

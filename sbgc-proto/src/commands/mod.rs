@@ -19,6 +19,7 @@ mod i2c;
 mod scripts;
 mod storage;
 mod system;
+mod params;
 
 pub use board::*;
 pub use common::*;
@@ -27,3 +28,4 @@ pub use i2c::*;
 pub use scripts::*;
 pub use storage::*;
 pub use system::*;
+pub use params::*;

@@ -1,0 +1,249 @@
+//! The first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
+
+use sbgc_proto_macros::{message, record};
+
+use super::{
+    AdaptivePidAxes, AxisOrientation, BeeperModes, EulerConvention, FcMix, FollowMode, FrameImuPosition,
+    GeneralFlags1, I2cSpeed, MenuCommand, MotorOutput, OrderOfAxes, PidTerm, ProfileFlags1, PwmFrequency,
+    RcAxisMode, RcVirtMode, SerialSpeed, SkipGyroCalib, SpektrumMode,
+};
+use crate::commands::{ImuType, ProfileId, RcSource, Switch};
+use crate::units::{AccelerationLimit, Angle, GyroDeadband, ServoRate, VoltageThreshold};
+use crate::wire::PerAxis;
+
+/// Asks for the first block of a profile's parameters.
+#[message(CMD_READ_PARAMS_3, outgoing, size = 1, answer = Params3)]
+pub struct ReadParams3 {
+    /// Which profile. Any number above 4 is the active one.
+    pub profile_id: ProfileId,
+}
+
+/// Writes the first block of a profile's parameters and saves it to EEPROM.
+///
+/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it. Some changes
+/// make the board restart about a second after the last block was written.
+#[message(CMD_WRITE_PARAMS_3, outgoing, size = 134)]
+pub struct WriteParams3(pub Params3);
+
+/// The first block of a profile's parameters.
+#[message(CMD_READ_PARAMS_3, incoming, size = 134)]
+pub struct Params3 {
+    /// Whose parameters these are.
+    pub profile_id: ProfileId,
+    /// Motor and controller of each axis.
+    pub motors: PerAxis<MotorTuning>,
+    /// Limit of acceleration for all axes, 0 for none.
+    ///
+    /// Deprecated: from firmware 2.60 on `ACC_LIMITER` in [`ParamsExt2`](super::ParamsExt2) has one for each axis.
+    pub acc_limiter_all: AccelerationLimit,
+    /// Gain of the flight controller's signals in the stabilization, for ROLL and for PITCH.
+    ///
+    /// Two bytes: one source that reads three pairs is wrong, the whole block has 134 bytes.
+    #[wire(range = -127..=127)]
+    pub ext_fc_gain: [i8; 2],
+    /// How remote control moves each axis.
+    pub rc: PerAxis<RcAxis>,
+    /// How much the gyroscope is trusted against the accelerometer.
+    pub gyro_trust: u8,
+    /// Whether the controller uses a model of the motors.
+    pub use_model: Switch,
+    /// Switching frequency of the motor drivers.
+    pub pwm_freq: PwmFrequency,
+    /// Speed of the main port UART1, to which the USB converter is usually connected.
+    ///
+    /// The specification misspells it `SERIAL_SPPED`.
+    pub serial_speed: SerialSpeed,
+    /// Trim of the remote control's neutral point.
+    #[wire(range = -127..=127)]
+    pub rc_trim: PerAxis<i8>,
+    /// Dead band around the neutral point of remote control; of ROLL alone where the axes are split, see
+    /// `RC_EXPO_DEADBAND_SPLIT` in [`ProfileFlags2`](super::ProfileFlags2).
+    pub rc_deadband: u8,
+    /// How much the response to remote control bends around the neutral point, in percent.
+    #[wire(unit = "%", range = 0..=100)]
+    pub rc_expo_rate: u8,
+    /// What the RC_ROLL pin reads.
+    pub rc_virt_mode: RcVirtMode,
+    /// Source of the control signal of ROLL.
+    pub rc_map_roll: RcSource,
+    /// Source of the control signal of PITCH.
+    pub rc_map_pitch: RcSource,
+    /// Source of the control signal of YAW.
+    pub rc_map_yaw: RcSource,
+    /// Source of the command channel, whose level runs `RC_CMD_LOW`, `_MID` and `_HIGH`.
+    pub rc_map_cmd: RcSource,
+    /// Source of the flight controller's ROLL signal.
+    pub rc_map_fc_roll: RcSource,
+    /// Source of the flight controller's PITCH signal.
+    pub rc_map_fc_pitch: RcSource,
+    /// How the flight controller's ROLL signal is mixed into remote control.
+    pub rc_mix_fc_roll: FcMix,
+    /// How the flight controller's PITCH signal is mixed into remote control.
+    pub rc_mix_fc_pitch: FcMix,
+    /// What ROLL and PITCH follow.
+    pub follow_mode: FollowMode,
+    /// How far the frame turns before the camera follows.
+    pub follow_deadband: u8,
+    /// How much the response of following bends, in percent.
+    #[wire(unit = "%", range = 0..=100)]
+    pub follow_expo_rate: u8,
+    /// Offset of the neutral point in follow mode.
+    ///
+    /// Deprecated: from firmware 2.70 on `FOLLOW_OFFSET_EXT` in [`ParamsExt3`](super::ParamsExt3) replaces it.
+    #[wire(range = -127..=127)]
+    pub follow_offset: PerAxis<i8>,
+    /// Which axis of the main IMU points up.
+    pub axis_top: AxisOrientation,
+    /// Which axis of the main IMU points to the right.
+    pub axis_right: AxisOrientation,
+    /// Which axis of the frame IMU points up.
+    pub frame_axis_top: AxisOrientation,
+    /// Which axis of the frame IMU points to the right.
+    pub frame_axis_right: AxisOrientation,
+    /// Where the frame IMU is mounted.
+    pub frame_imu_pos: FrameImuPosition,
+    /// Dead band of the gyroscope.
+    pub gyro_deadband: GyroDeadband,
+    /// Sensitivity of the gyroscope. Deprecated.
+    pub gyro_sens: u8,
+    /// Speed of the bus to the sensors.
+    pub i2c_speed_fast: I2cSpeed,
+    /// Whether the gyroscope is calibrated at start.
+    pub skip_gyro_calib: SkipGyroCalib,
+    /// What the command channel does when its signal is low.
+    pub rc_cmd_low: MenuCommand,
+    /// What the command channel does when its signal is in the middle.
+    pub rc_cmd_mid: MenuCommand,
+    /// What the command channel does when its signal is high.
+    pub rc_cmd_high: MenuCommand,
+    /// What one press of the menu button does.
+    pub menu_cmd_1: MenuCommand,
+    /// What two presses of the menu button do.
+    pub menu_cmd_2: MenuCommand,
+    /// What three presses of the menu button do.
+    pub menu_cmd_3: MenuCommand,
+    /// What four presses of the menu button do.
+    pub menu_cmd_4: MenuCommand,
+    /// What five presses of the menu button do.
+    pub menu_cmd_5: MenuCommand,
+    /// What a long press of the menu button does.
+    pub menu_cmd_long: MenuCommand,
+    /// Which output drives each axis.
+    pub motor_output: PerAxis<MotorOutput>,
+    /// Below this battery voltage there is an alarm. Negative: never.
+    #[wire(range = -3000..=3000)]
+    pub bat_threshold_alarm: VoltageThreshold,
+    /// Below this battery voltage the motors stop. Negative: never.
+    #[wire(range = -3000..=3000)]
+    pub bat_threshold_motors: VoltageThreshold,
+    /// Voltage of the full battery, from which the power of the motors is compensated. Negative: not at all.
+    #[wire(range = -3000..=3000)]
+    pub bat_comp_ref: VoltageThreshold,
+    /// When the board beeps, and how.
+    pub beeper_modes: BeeperModes,
+    /// From which tilt on ROLL begins to be mixed into following.
+    #[wire(unit = "deg", range = 0..=90)]
+    pub follow_roll_mix_start: u8,
+    /// Over how many degrees that mix grows to its full.
+    #[wire(unit = "deg", range = 0..=90)]
+    pub follow_roll_mix_range: u8,
+    /// Power that is added to each motor to catch up when it loses synchronization.
+    pub booster_power: PerAxis<u8>,
+    /// How fast each axis follows.
+    pub follow_speed: PerAxis<u8>,
+    /// Whether the frame's angles are estimated from the motors.
+    pub frame_angle_from_motors: Switch,
+    /// The angle that each axis takes at start.
+    ///
+    /// The specification prints -36767 as the least, which two bytes cannot hold; -32767 is meant.
+    #[wire(range = -32767..=32767)]
+    pub rc_memory: PerAxis<Angle>,
+    /// Virtual channel that is put out on servo output 1, from 1 on; 0 for none.
+    #[wire(range = 0..=32)]
+    pub servo1_out: u8,
+    /// Virtual channel that is put out on servo output 2, from 1 on; 0 for none.
+    #[wire(range = 0..=32)]
+    pub servo2_out: u8,
+    /// Virtual channel that is put out on servo output 3, from 1 on; 0 for none.
+    #[wire(range = 0..=32)]
+    pub servo3_out: u8,
+    /// Virtual channel that is put out on servo output 4, from 1 on; 0 for none.
+    #[wire(range = 0..=32)]
+    pub servo4_out: u8,
+    /// How often the servo outputs repeat.
+    #[wire(range = 5..=40)]
+    pub servo_rate: ServoRate,
+    /// On which axes the controller lowers its gains by itself when they vibrate.
+    pub adaptive_pid_enabled: AdaptivePidAxes,
+    /// How much vibration starts that.
+    pub adaptive_pid_threshold: u8,
+    /// How fast the gains go down.
+    #[wire(range = 1..=255)]
+    pub adaptive_pid_rate: u8,
+    /// How slowly they recover.
+    #[wire(range = 0..=10)]
+    pub adaptive_pid_recovery_factor: u8,
+    /// Low-pass filter of following; 255 is the most where `LPF_EXTENDED_RANGE` of
+    /// [`GeneralFlags2`](super::GeneralFlags2) is set.
+    #[wire(range = 0..=15)]
+    pub follow_lpf: PerAxis<u8>,
+    /// Settings that all profiles share.
+    pub general_flags1: GeneralFlags1,
+    /// Settings of this profile.
+    pub profile_flags1: ProfileFlags1,
+    /// Protocol of a Spektrum receiver.
+    pub spektrum_mode: SpektrumMode,
+    /// How the hardware's axes follow each other.
+    pub order_of_axes: OrderOfAxes,
+    /// In which Euler angles the camera's attitude and its target are expressed.
+    pub euler_order: EulerConvention,
+    /// The IMU that is selected now.
+    pub cur_imu: ImuType,
+    /// The profile that is active now.
+    #[wire(range = 0..=4)]
+    pub cur_profile_id: ProfileId,
+}
+
+/// Motor and controller of one axis.
+#[record(size = 6)]
+#[derive(Copy)]
+pub struct MotorTuning {
+    /// How strongly the controller answers an error.
+    pub p: PidTerm,
+    /// How fast the controller works off what error remains. Shown divided by 100 before firmware 2.73.1.
+    pub i: PidTerm,
+    /// How strongly the controller damps.
+    pub d: PidTerm,
+    /// Power of the motor; 255 is the most.
+    pub power: u8,
+    /// Whether the motor turns the other way.
+    pub invert: Switch,
+    /// Number of the motor's poles.
+    pub poles: u8,
+}
+
+/// How remote control moves one axis.
+#[record(size = 8)]
+#[derive(Copy)]
+pub struct RcAxis {
+    /// The least angle that remote control can ask for.
+    #[wire(unit = "deg", range = -720..=720)]
+    pub rc_min_angle: i16,
+    /// The greatest angle that remote control can ask for.
+    #[wire(unit = "deg", range = -720..=720)]
+    pub rc_max_angle: i16,
+    /// What the signal means, and whether it is inverted.
+    pub rc_mode: RcAxisMode,
+    /// Low-pass filter of the signal; 255 is the most where `LPF_EXTENDED_RANGE` of
+    /// [`GeneralFlags2`](super::GeneralFlags2) is set.
+    #[wire(range = 0..=15)]
+    pub rc_lpf: u8,
+    /// How fast the axis moves.
+    pub rc_speed: u8,
+    /// For ROLL and PITCH the rate at which they follow the flight controller; for YAW, all but zero follows the
+    /// motor.
+    ///
+    /// Signed, though the specification's type column says otherwise.
+    #[wire(range = -127..=127)]
+    pub rc_follow: i8,
+}

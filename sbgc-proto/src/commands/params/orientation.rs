@@ -1,0 +1,88 @@
+//! Values of orientation: how sensors are mounted, in which order axes turn.
+
+use sbgc_proto_macros::open_enum;
+
+use crate::wire::{bit_enums, bit_fields};
+
+/// An axis of a sensor with its sign. Spec: `AXIS_ORIENTATION`.
+#[open_enum(i8)]
+pub enum AxisOrientation {
+    /// X.
+    X = 1,
+    /// Y.
+    Y = 2,
+    /// Z.
+    Z = 3,
+    /// Opposite to X.
+    #[wire(spec = "NEG_X")]
+    NegativeX = -1,
+    /// Opposite to Y.
+    #[wire(spec = "NEG_Y")]
+    NegativeY = -2,
+    /// Opposite to Z.
+    #[wire(spec = "NEG_Z")]
+    NegativeZ = -3,
+}
+
+/// Where the frame IMU is mounted. Spec: `FRAME_IMU_POS`.
+#[open_enum(u8)]
+pub enum FrameImuPosition {
+    /// There is none.
+    #[wire(spec = "FRAME_IMU_DISABLED")]
+    Disabled = 0,
+    /// Below the YAW motor: it turns with YAW.
+    #[wire(spec = "FRAME_IMU_BELOW_YAW")]
+    BelowYaw = 1,
+    /// Above the YAW motor: it stays with the frame.
+    #[wire(spec = "FRAME_IMU_ABOVE_YAW")]
+    AboveYaw = 2,
+    /// Below the YAW motor, and the controller of YAW takes its signal from it.
+    #[wire(spec = "FRAME_IMU_BELOW_YAW_PID_SOURCE")]
+    BelowYawPidSource = 3,
+}
+
+/// How the hardware's axes follow each other, counted from the camera. Spec: `ORDER_OF_AXES`.
+#[open_enum(u8)]
+pub enum OrderOfAxes {
+    /// PITCH, ROLL, YAW.
+    PitchRollYaw = 0,
+    /// YAW, ROLL, PITCH.
+    YawRollPitch = 1,
+    /// ROLL, YAW, PITCH. In special builds of the firmware only.
+    RollYawPitch = 2,
+    /// ROLL, PITCH, YAW.
+    RollPitchYaw = 3,
+}
+
+bit_fields! {
+    /// In which Euler angles attitudes are expressed, and what goes by them.
+    pub struct EulerConvention: u8 {
+        /// The order of rotations.
+        0..=3 => order / with_order "EULER_ORDER": EulerOrder,
+        /// Whether control goes about the camera's own axes. Newer firmware.
+        4..=4 => local_control / with_local_control "CONTROL_LOCAL_XYZ": bool,
+        /// Whether stabilization and control go about the camera's own axes. Firmware 2.74 and later.
+        5..=5 => local_stabilization / with_local_stabilization "STABILIZATION_LOCAL_XYZ": bool,
+    }
+}
+
+/// The order of rotations of Euler angles. Spec: `EULER_ORDER`.
+///
+/// The specification names 2, 3 and 5 in its table of parameters; its list of adjustable variables and newer sources
+/// have other names for 2 and 3, with an M at the axes that belong to a motor, and no 5.
+#[open_enum(u8)]
+pub enum EulerOrder {
+    /// PITCH, ROLL, YAW.
+    PitchRollYaw = 0,
+    /// ROLL, PITCH, YAW.
+    RollPitchYaw = 1,
+    /// PITCH(M), ROLL, YAW(M) for newer firmware; before, local ROLL in systems of two axes.
+    LocalRoll = 2,
+    /// ROLL, PITCH(M), YAW(M) for newer firmware; before, ROLL and local in systems of two axes.
+    RollLocal = 3,
+    /// YAW, ROLL, PITCH.
+    YawRollPitch = 4,
+    /// YAW, PITCH, ROLL. Newer firmware does not list it.
+    YawPitchRoll = 5,
+}
+bit_enums!(EulerOrder);

@@ -1,0 +1,122 @@
+//! Values of remote control: what inputs read, what signals mean, how they are mixed.
+
+use sbgc_proto_macros::open_enum;
+
+use crate::wire::{bit_enums, bit_fields};
+
+bit_fields! {
+    /// How the control signal of an axis is read.
+    pub struct RcAxisMode: u8 {
+        /// What the signal means.
+        0..=2 => mode / with_mode "RC_MODE": RcMode,
+        /// Whether control is inverted.
+        3..=3 => inverted / with_inverted "INVERTED": bool,
+    }
+}
+
+/// What a control signal means. Spec: `RC_MODE`.
+#[open_enum(u8)]
+pub enum RcMode {
+    /// The angle to go to.
+    #[wire(spec = "RC_MODE_ANGLE")]
+    Angle = 0,
+    /// The speed to move with.
+    #[wire(spec = "RC_MODE_SPEED")]
+    Speed = 1,
+    /// Tracking. The specification has it among the adjustable variables only.
+    #[wire(spec = "RC_MODE_TRACKING", since = "2.69b3")]
+    Tracking = 2,
+}
+bit_enums!(RcMode);
+
+/// What the RC_ROLL pin reads. Spec: `RC_VIRT_MODE`.
+#[open_enum(u8)]
+pub enum RcVirtMode {
+    /// One channel, as pulse width.
+    #[wire(spec = "RC_VIRT_MODE_NORMAL")]
+    Normal = 0,
+    /// A sum signal of several channels (Sum-PPM).
+    #[wire(spec = "RC_VIRT_MODE_CPPM")]
+    Cppm = 1,
+    /// A Futaba s-bus receiver.
+    #[wire(spec = "RC_VIRT_MODE_SBUS")]
+    Sbus = 2,
+    /// A Spektrum satellite receiver.
+    #[wire(spec = "RC_VIRT_MODE_SPEKTRUM")]
+    Spektrum = 3,
+    /// Nothing: a second serial port for this protocol.
+    #[wire(spec = "RC_VIRT_MODE_API")]
+    Api = 10,
+}
+
+bit_fields! {
+    /// How a signal of the flight controller is mixed into a control signal.
+    ///
+    /// The specification's own words break off; the split into 6 and 2 bits is that of all newer sources.
+    pub struct FcMix: u8 {
+        /// How much of it, 0 to 63.
+        0..=5 => rate / with_rate "RATE": u8,
+        /// Into which control signal.
+        6..=7 => target / with_target "TARGET": FcMixTarget,
+    }
+}
+
+/// The control signal into which the flight controller's is mixed. Spec: `RC_MIX_FC_TARGET`.
+#[open_enum(u8)]
+pub enum FcMixTarget {
+    /// None: it is not mixed.
+    NoMix = 0,
+    /// That of ROLL.
+    Roll = 1,
+    /// That of PITCH.
+    Pitch = 2,
+    /// That of YAW.
+    Yaw = 3,
+}
+bit_enums!(FcMixTarget);
+
+/// Protocol of a Spektrum receiver: generation, time of a frame, resolution. Spec: `SPEKTRUM_MODE`.
+#[open_enum(u8)]
+pub enum SpektrumMode {
+    /// Found out by the board. The default.
+    #[wire(spec = "AUTO_DETECTION")]
+    Auto = 0,
+    /// DSM2, 11 ms, 10 bits.
+    #[wire(spec = "DSM2_11MS_10BIT")]
+    Dsm2Ms11Bits10 = 1,
+    /// DSM2, 11 ms, 11 bits.
+    #[wire(spec = "DSM2_11MS_11BIT")]
+    Dsm2Ms11Bits11 = 2,
+    /// DSM2, 22 ms, 10 bits.
+    #[wire(spec = "DSM2_22MS_10BIT")]
+    Dsm2Ms22Bits10 = 3,
+    /// DSM2, 22 ms, 11 bits.
+    #[wire(spec = "DSM2_22MS_11BIT")]
+    Dsm2Ms22Bits11 = 4,
+    /// DSMX, 11 ms, 10 bits.
+    #[wire(spec = "DSMX_11MS_10BIT")]
+    DsmxMs11Bits10 = 5,
+    /// DSMX, 11 ms, 11 bits.
+    #[wire(spec = "DSMX_11MS_11BIT")]
+    DsmxMs11Bits11 = 6,
+    /// DSMX, 22 ms, 10 bits.
+    #[wire(spec = "DSMX_22MS_10BIT")]
+    DsmxMs22Bits10 = 7,
+    /// DSMX, 22 ms, 11 bits.
+    #[wire(spec = "DSMX_22MS_11BIT")]
+    DsmxMs22Bits11 = 8,
+}
+
+/// What ROLL and PITCH follow. Spec: `FOLLOW_MODE`.
+#[open_enum(u8)]
+pub enum FollowMode {
+    /// Nothing.
+    #[wire(spec = "FOLLOW_MODE_DISABLED")]
+    Disabled = 0,
+    /// The flight controller's attitude.
+    #[wire(spec = "FOLLOW_MODE_FC")]
+    FlightController = 1,
+    /// The frame, on PITCH and in part on ROLL.
+    #[wire(spec = "FOLLOW_MODE_PITCH")]
+    Pitch = 2,
+}

@@ -1,0 +1,101 @@
+//! Blocks of parameters byte by byte.
+#![allow(clippy::float_cmp, reason = "the values are exact")]
+
+use super::*;
+use crate::commands::*;
+use crate::units::*;
+use crate::wire::{PerAxis, ToWire};
+use crate::{DecodeError, Message};
+
+/// A payload in which every byte has another value, as far as there are values: made by hand from the layout.
+fn ramp<const N: usize>() -> [u8; N] {
+    core::array::from_fn(|index| u8::try_from(index % 256).unwrap())
+}
+
+/// `payload` decodes, encodes to itself, and is refused when a byte is missing.
+fn whole<'p, M: Message + crate::wire::FromWire<'p> + ToWire>(payload: &'p [u8]) -> M {
+    let (message, rest) = M::decode_prefix(payload).unwrap();
+    assert!(rest.is_empty());
+    assert_eq!(message.encode(&mut [0; 255]), Ok(payload));
+    if M::MIN_LEN == payload.len() {
+        let got = payload.len() - 1;
+        let error = DecodeError::TooShort { command: M::SPEC, needed: payload.len(), got };
+        assert_eq!(M::decode(&payload[..got]).err(), Some(error));
+    }
+    message
+}
+
+#[test]
+fn block_3_has_its_fields_in_place() {
+    let payload = ramp::<134>();
+    let params: Params3 = whole(&payload);
+    assert_eq!(params.profile_id, ProfileId::Profile1);
+    // Axis by axis, not field by field.
+    let pitch = MotorTuning {
+        p: PidTerm(7),
+        i: PidTerm(8),
+        d: PidTerm(9),
+        power: 10,
+        invert: Switch::Unknown(11),
+        poles: 12,
+    };
+    assert_eq!(params.motors.pitch, pitch);
+    assert_eq!(params.acc_limiter_all.degrees_per_second2(), 95.0);
+    assert_eq!(params.ext_fc_gain, [20, 21]);
+    assert_eq!(params.rc.yaw.rc_min_angle, 0x2726);
+    assert_eq!(params.rc.yaw.rc_mode.mode(), RcMode::Tracking);
+    assert!(params.rc.yaw.rc_mode.inverted());
+    assert_eq!(params.rc.yaw.rc_follow, 45);
+    assert_eq!(params.pwm_freq, PwmFrequency::Unknown(48));
+    assert_eq!(params.rc_trim, PerAxis { roll: 50, pitch: 51, yaw: 52 });
+    assert_eq!(params.rc_map_fc_pitch.kind(), RcSourceKind::Analog);
+    assert_eq!(params.rc_mix_fc_roll.rate(), 62);
+    assert_eq!(params.rc_mix_fc_roll.target(), FcMixTarget::NoMix);
+    assert_eq!(params.follow_offset.roll, 67);
+    assert_eq!(params.gyro_deadband.units(), 7.5);
+    assert_eq!(params.rc_cmd_low, MenuCommand::ServoModeOn);
+    assert_eq!(params.menu_cmd_long, MenuCommand::Unknown(87));
+    assert_eq!(params.bat_threshold_alarm, VoltageThreshold(0x5C5B));
+    assert_eq!(params.beeper_modes.bits(), 97);
+    assert_eq!(params.frame_angle_from_motors, Switch::Unknown(106));
+    assert_eq!(params.rc_memory.roll, Angle(0x6C6B));
+    assert_eq!(params.servo_rate.hertz(), 1170.0);
+    assert_eq!(params.follow_lpf.yaw, 124);
+    assert_eq!(params.general_flags1.bits(), 0x7E7D);
+    assert_eq!(params.profile_flags1.bits(), 0x807F);
+    assert_eq!(params.euler_order.order(), EulerOrder::RollLocal);
+    assert_eq!(params.cur_imu, ImuType::Unknown(132));
+    assert_eq!(params.cur_profile_id, ProfileId::Unknown(133));
+
+    let write: WriteParams3 = whole(&payload);
+    assert_eq!(write.0, params);
+}
+
+#[test]
+fn signed_bytes_are_signed() {
+    let mut payload = [0; 134];
+    payload[29] = 0x81;
+    payload[71] = 0xFE;
+    payload[93..95].copy_from_slice(&(-1_i16).to_le_bytes());
+    let params: Params3 = whole(&payload);
+    assert_eq!(params.rc.roll.rc_follow, -127);
+    assert_eq!(params.axis_right, AxisOrientation::NegativeY);
+    assert_eq!(params.bat_threshold_motors.volts(), -0.01);
+}
+
+#[test]
+fn curves_go_through_their_points() {
+    assert_eq!(PidTerm(0).logarithmic(), 0.0);
+    assert_eq!(PidGain(0).gain(), 0.1);
+    assert_eq!(PidGain(128).centered(), 1.0);
+    assert_eq!(PidGain(1).centered(), 0.02);
+    for raw in 0..=255 {
+        assert_eq!(PidTerm::from_logarithmic(PidTerm(raw).logarithmic()), PidTerm(raw));
+        assert_eq!(PidGain::from_gain(PidGain(raw).gain()), PidGain(raw));
+        assert_eq!(PidGain::from_centered(PidGain(raw).centered()), PidGain(raw));
+        let exact = 5.0 * (f64::from(raw) * 52_f64.ln() / 255.0).exp() - 5.0;
+        assert!((f64::from(PidTerm(raw).logarithmic()) - exact).abs() < 1e-4);
+    }
+    assert_eq!(PidTerm::from_logarithmic(f32::NAN), PidTerm(0));
+    assert_eq!(PidTerm::from_logarithmic(1e9), PidTerm(255));
+}

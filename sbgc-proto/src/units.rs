@@ -135,6 +135,10 @@ quantities! {
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767;
 
+    /// A rate of turn as slow control commands have it: thousandths of a degree a second in 16 bits.
+    FineControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 1 / 1000;
+
     /// A rate of turn as sensors have it: 0.06103701895 degrees a second.
     SensorRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 2000 / 32767;
@@ -177,8 +181,31 @@ quantities! {
         UNDEFINED = -32768;
     };
 
-    /// The version of the board, 3.0 for raw 30.
-    BoardVersion(u8): number / from_number / try_from_number -> f32, "", 1 / 10;
+    /// The signal of a radio control channel in coarse steps, -500 to 500 and slightly beyond.
+    CoarseRcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 500, special {
+        /// There is no signal.
+        UNDEFINED = -10000;
+    };
+
+    /// The version of the board, 3.0 for raw 30. Special values are the boards that have a name of their own.
+    BoardVersion(u8): number / from_number / try_from_number -> f32, "", 1 / 10, special {
+        /// Tiny rev. C with the GD32 processor.
+        TINY_REV_C_GD32 = 25;
+        /// Extended, long, with the GD32 processor.
+        EXTENDED_LONG_GD32 = 27;
+        /// Regular.
+        REGULAR = 30;
+        /// Tiny.
+        TINY = 31;
+        /// OEM.
+        OEM = 34;
+        /// Extended.
+        EXTENDED = 36;
+        /// Pro.
+        PRO = 41;
+        /// The controller of the CAN family.
+        CAN_MCU = 50;
+    };
 
     /// A size of flash memory.
     FlashSize(u8): kibibytes / from_kibibytes / try_from_kibibytes -> f32, "KiB", 32 / 1;

@@ -14,8 +14,10 @@
 
 mod board;
 mod common;
+mod confirm;
 mod control;
 
 pub use board::*;
 pub use common::*;
+pub use confirm::*;
 pub use control::*;

@@ -14,6 +14,7 @@
 
 mod board;
 mod common;
+mod confirm;
 mod control;
 mod i2c;
 mod scripts;
@@ -23,6 +24,7 @@ mod params;
 
 pub use board::*;
 pub use common::*;
+pub use confirm::*;
 pub use control::*;
 pub use i2c::*;
 pub use scripts::*;

@@ -12,6 +12,7 @@
 //! enumerations, flag sets and bit fields; only plain numbers have a `unit` or `range` of their own. Reserved bytes are
 //! [`Reserved`](crate::wire::Reserved); those that newer firmware has put to use are typed fields with a `since`.
 
+mod actions;
 mod board;
 mod common;
 mod confirm;
@@ -21,7 +22,12 @@ mod scripts;
 mod storage;
 mod system;
 mod params;
+mod params {
+    mod menu;
+    pub use menu::*;
+}
 
+pub use actions::*;
 pub use board::*;
 pub use common::*;
 pub use confirm::*;

@@ -1,0 +1,66 @@
+//! Motors on and off, and the menu.
+
+use sbgc_proto_macros::{message, open_enum};
+
+use crate::commands::MenuCommand;
+use crate::wire::flags;
+
+/// Switches the motors on.
+#[message(CMD_MOTORS_ON, outgoing, size = 0)]
+pub struct MotorsOn {}
+
+/// Switches the motors off, without a choice of how.
+///
+/// The only form before firmware 2.68b7. Whether later firmware still takes it is not said: send [`MotorsOff`] there.
+#[message(CMD_MOTORS_OFF, outgoing, form = "simple", size = 0, length = 0)]
+pub struct MotorsOffSimple {}
+
+/// Switches the motors off.
+#[message(CMD_MOTORS_OFF, outgoing, form = "extended", size = 1, since = "2.68b7")]
+pub struct MotorsOff {
+    /// How they are switched off.
+    #[wire(since = "2.68b7")]
+    pub mode: MotorsOffMode,
+}
+
+/// How motors are switched off. Spec: `MOTORS_OFF_MODE`.
+#[open_enum(u8)]
+pub enum MotorsOffMode {
+    /// At once, and the axes turn freely: the drivers are left in high impedance.
+    Normal = 0,
+    /// At once, and the axes are braked: the drivers are left in low impedance.
+    #[wire(spec = "BREAK")]
+    Brake = 1,
+    /// For a gimbal out of balance: with less and less power until the motors stand still, then wholly.
+    SafeStop = 2,
+}
+
+/// Runs a menu command.
+///
+/// That it is confirmed is known from the vendor's libraries. [`MenuCommand::No`] does nothing but be confirmed.
+#[message(CMD_EXECUTE_MENU, outgoing, form = "simple", size = 1)]
+pub struct ExecuteMenu {
+    /// What to do.
+    pub cmd_id: MenuCommand,
+}
+
+/// Runs a menu command, and chooses when that is confirmed.
+///
+/// It is confirmed at the start, at the end, both times or not at all, as the flags say.
+#[message(CMD_EXECUTE_MENU, outgoing, form = "extended", size = 2, length = 2.., since = "2.73.8")]
+pub struct ExecuteMenuExtended {
+    /// What to do.
+    pub cmd_id: MenuCommand,
+    /// When to confirm it.
+    pub flags: ExecuteMenuFlags,
+}
+
+flags! {
+    /// When a menu command is confirmed. Spec: `EXECUTE_MENU_FLAG`.
+    pub struct ExecuteMenuFlags: u8 {
+        /// At its start. Firmware 2.73.8 and later.
+        const CONFIRM = 1 << 0;
+        /// At its end. Firmware 2.73.8 and later.
+        const CONFIRM_ON_FINISH = 1 << 1;
+    }
+}

@@ -212,6 +212,26 @@ quantities! {
 
     /// A place in a file, in pages of 64 bytes.
     PageOffset(u16): bytes / from_bytes / try_from_bytes -> f32, "byte", 64 / 1;
+    /// The center of a notch filter.
+    NotchFrequency(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 2 / 1;
+
+    /// The cut-off of a filter for slow signals.
+    SlowFilterFrequency(u16): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 100;
+
+    /// The cut-off of a filter for fast signals.
+    FastFilterFrequency(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
+
+    /// A short time.
+    ShortTime(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 10 / 1;
+
+    /// An angle in coarse steps.
+    CoarseAngle(i8): degrees / from_degrees / try_from_degrees -> f32, "deg", 3 / 1;
+
+    /// A gearing as a number of 8 bits before and 8 bits after the point.
+    Gearing(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 256;
+
+    /// A ratio of gears in thousandths.
+    GearRatio(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 1000;
 }
 
 /// The version of the firmware as the board gives it: 2305 is 2.30 beta 5, and from 2.73 on the last digit is a patch

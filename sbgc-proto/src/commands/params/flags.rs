@@ -79,3 +79,17 @@ flags! {
         const CAM_UPSIDE_DOWN_WORKING = 1 << 15;
     }
 }
+
+flags! {
+    /// The filters of an axis that are in use. Spec: `FILTERS_EN`.
+    pub struct FiltersEnabled: u8 {
+        /// First notch filter.
+        const NOTCH1 "EN_NOTCH1" = 1 << 0;
+        /// Second notch filter.
+        const NOTCH2 "EN_NOTCH2" = 1 << 1;
+        /// Third notch filter.
+        const NOTCH3 "EN_NOTCH3" = 1 << 2;
+        /// Low-pass filter.
+        const LPF "EN_LPF" = 1 << 3;
+    }
+}

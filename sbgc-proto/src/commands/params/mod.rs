@@ -9,6 +9,8 @@
 
 mod block3;
 mod curves;
+mod encoders;
+mod ext;
 mod flags;
 mod hardware;
 mod menu;
@@ -19,6 +21,8 @@ mod tests;
 
 pub use block3::*;
 pub use curves::*;
+pub use encoders::*;
+pub use ext::*;
 pub use flags::*;
 pub use hardware::*;
 pub use menu::*;

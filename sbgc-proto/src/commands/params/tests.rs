@@ -84,6 +84,35 @@ fn signed_bytes_are_signed() {
 }
 
 #[test]
+fn ext_has_three_notch_filters_an_axis() {
+    let payload = ramp::<104>();
+    let params: ParamsExt = whole(&payload);
+    assert_eq!(params.notch_filters.pitch.notch_freq[2].hertz(), 18.0);
+    assert_eq!(params.notch_filters.yaw.notch_width, [16, 17, 18]);
+    assert_eq!(params.lpf_freq.roll, 0x1413);
+    assert_eq!(
+        params.filters_en.roll,
+        FiltersEnabled::NOTCH1 | FiltersEnabled::LPF | FiltersEnabled::from_bits_retain(16)
+    );
+    assert_eq!(params.encoder_manual_set_time.roll.milliseconds(), 400.0);
+    assert_eq!(params.follow_inside_deadband, 51);
+    assert_eq!(params.motor_gearing.roll, Gearing(0x3837));
+    assert_eq!(params.encoder_limit_min.roll.degrees(), 183.0);
+    assert_eq!(params.notch3_gain.yaw, 75);
+    assert_eq!(params.encoder_gear_ratio.roll, GearRatio(0x4E4D));
+    // 83 is 0x53.
+    assert!(params.encoder_type.roll.skip_detection() && !params.encoder_type.roll.geared());
+    assert_eq!(params.encoder_type.roll.encoder_type(), EncoderType::As5048Pwm);
+    assert_eq!(params.outer_p.roll, 89);
+    assert_eq!(params.mag_axis_right, AxisOrientation::Unknown(96));
+    assert_eq!(params.acc_lpf_freq, SlowFilterFrequency(0x6463));
+    assert_eq!(params.d_term_lpf_freq.yaw.hertz(), 1030.0);
+
+    let write: WriteParamsExt = whole(&payload);
+    assert_eq!(write.0, params);
+}
+
+#[test]
 fn curves_go_through_their_points() {
     assert_eq!(PidTerm(0).logarithmic(), 0.0);
     assert_eq!(PidGain(0).gain(), 0.1);

@@ -1,0 +1,119 @@
+//! The second block of a profile's parameters: filters, encoders, magnetometer.
+
+use sbgc_proto_macros::{message, record};
+
+use super::{AxisOrientation, EncoderConfig, EncoderSelection, FiltersEnabled};
+use crate::commands::ProfileId;
+use crate::units::{
+    Angle, CoarseAngle, FastFilterFrequency, GearRatio, Gearing, NotchFrequency, ShortTime,
+    SlowFilterFrequency,
+};
+use crate::wire::{PerAxis, Reserved};
+
+/// Asks for the second block of a profile's parameters.
+#[message(CMD_READ_PARAMS_EXT, outgoing, size = 1, answer = ParamsExt)]
+pub struct ReadParamsExt {
+    /// Which profile. Any number above 4 is the active one.
+    pub profile_id: ProfileId,
+}
+
+/// Writes the second block of a profile's parameters and saves it to EEPROM.
+///
+/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it.
+#[message(CMD_WRITE_PARAMS_EXT, outgoing, size = 104)]
+pub struct WriteParamsExt(pub ParamsExt);
+
+/// The second block of a profile's parameters.
+///
+/// The specification's table gives each axis one notch filter and would make 92 bytes; there are three for each, which
+/// makes the 104 bytes that the vendor's library has.
+#[message(CMD_READ_PARAMS_EXT, incoming, size = 104)]
+pub struct ParamsExt {
+    /// Whose parameters these are.
+    pub profile_id: ProfileId,
+    /// The notch filters of each axis.
+    pub notch_filters: PerAxis<NotchFilters>,
+    /// Where the low-pass filter of each axis cuts off, at -3 dB.
+    #[wire(unit = "Hz", range = 0..=1000)]
+    pub lpf_freq: PerAxis<u16>,
+    /// Which filters of each axis are in use.
+    pub filters_en: PerAxis<FiltersEnabled>,
+    /// What the encoder reads in the motor's neutral position.
+    pub encoder_offset: PerAxis<Angle>,
+    /// Angle between the encoder's zero and the motor's magnetic field.
+    pub encoder_fld_offset: PerAxis<Angle>,
+    /// How long the motor is held when the field's offset is set by hand.
+    pub encoder_manual_set_time: PerAxis<ShortTime>,
+    /// How fast the motor heats up, in the model of its temperature.
+    pub motor_heating_factor: PerAxis<u8>,
+    /// How fast the motor cools down, in the model of its temperature.
+    pub motor_cooling_factor: PerAxis<u8>,
+    /// Kept.
+    pub reserved: Reserved<2>,
+    /// Inner dead band of follow mode.
+    pub follow_inside_deadband: u8,
+    /// Strength of the link between the motor's rotor and stator.
+    ///
+    /// Deprecated: `MOTOR_MAG_LINK_FINE` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    pub motor_mag_link: PerAxis<u8>,
+    /// Gearing of the motor.
+    pub motor_gearing: PerAxis<Gearing>,
+    /// Lower limit of the motor's angle.
+    ///
+    /// Deprecated: from firmware 2.61 on `FRAME_CAM_ANGLE_MIN` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    #[wire(range = -127..=127)]
+    pub encoder_limit_min: PerAxis<CoarseAngle>,
+    /// Upper limit of the motor's angle.
+    ///
+    /// Deprecated: from firmware 2.61 on `FRAME_CAM_ANGLE_MAX` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    #[wire(range = -127..=127)]
+    pub encoder_limit_max: PerAxis<CoarseAngle>,
+    /// Depth of the first notch filter of each axis. Negative: a peak instead of a notch.
+    #[wire(unit = "dB", range = -100..=100)]
+    pub notch1_gain: PerAxis<i8>,
+    /// Depth of the second notch filter of each axis. Negative: a peak instead of a notch.
+    #[wire(unit = "dB", range = -100..=100)]
+    pub notch2_gain: PerAxis<i8>,
+    /// Depth of the third notch filter of each axis. Negative: a peak instead of a notch.
+    #[wire(unit = "dB", range = -100..=100)]
+    pub notch3_gain: PerAxis<i8>,
+    /// Loudness of the beeper.
+    pub beeper_volume: u8,
+    /// Ratio of the gears between the encoder and its axis.
+    pub encoder_gear_ratio: PerAxis<GearRatio>,
+    /// Model of the encoder, and how it is treated.
+    pub encoder_type: PerAxis<EncoderSelection>,
+    /// How the encoder is read.
+    pub encoder_cfg: PerAxis<EncoderConfig>,
+    /// Proportional term of the outer loop, which works on the angle.
+    pub outer_p: PerAxis<u8>,
+    /// Integral term of the outer loop. One newer source calls these bytes reserved; the vendor's library has the
+    /// term.
+    pub outer_i: PerAxis<u8>,
+    /// Which axis of the magnetometer points up.
+    pub mag_axis_top: AxisOrientation,
+    /// Which axis of the magnetometer points to the right.
+    pub mag_axis_right: AxisOrientation,
+    /// How much the magnetometer is trusted.
+    pub mag_trust: u8,
+    /// Declination of the magnetic field.
+    #[wire(unit = "deg", range = -90..=90)]
+    pub mag_declination: i8,
+    /// Where the low-pass filter of the accelerometer cuts off.
+    #[wire(range = 0..=1000)]
+    pub acc_lpf_freq: SlowFilterFrequency,
+    /// Where the low-pass filter of the D term cuts off.
+    #[wire(range = 0..=60)]
+    pub d_term_lpf_freq: PerAxis<FastFilterFrequency>,
+}
+
+/// The three notch filters of an axis.
+#[record(size = 6)]
+#[derive(Copy)]
+pub struct NotchFilters {
+    /// Center of each.
+    pub notch_freq: [NotchFrequency; 3],
+    /// Width of each, between the points of -3 dB.
+    #[wire(unit = "Hz")]
+    pub notch_width: [u8; 3],
+}

@@ -131,6 +131,12 @@ quantities! {
         UNKNOWN = 32767;
     };
 
+    /// The period of a curve of correction over a turn of the motor.
+    CorrectionPeriod(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1, special {
+        /// The board finds it.
+        AUTO = 0;
+    };
+
     /// A rate of turn as control commands have it: 0.1220740379 degrees a second.
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767;
@@ -168,6 +174,12 @@ quantities! {
 
     /// A rate of repetition.
     ServoRate(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
+
+    /// How long a calibration takes its samples.
+    CalibrationTime(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
+        /// As long as the board thinks fit, about 4 s for the gyroscope.
+        DEFAULT = 0;
+    };
 
     /// A jerk slope: the time in which an acceleration builds up. 0 leaves it as it is, 1 switches it off.
     JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1;

@@ -13,6 +13,7 @@
 //! [`Reserved`](crate::wire::Reserved); those that newer firmware has put to use are typed fields with a `since`.
 
 mod board;
+mod calibration;
 mod common;
 mod confirm;
 mod control;
@@ -23,6 +24,7 @@ mod system;
 mod params;
 
 pub use board::*;
+pub use calibration::*;
 pub use common::*;
 pub use confirm::*;
 pub use control::*;

@@ -137,6 +137,12 @@ quantities! {
         AUTO = 0;
     };
 
+    /// The heading of the frame against North.
+    FrameHeading(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
+        /// Stop to use the heading as a reference.
+        STOP_REFERENCE = 32767;
+    };
+
     /// A rate of turn as control commands have it: 0.1220740379 degrees a second.
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767;
@@ -186,6 +192,9 @@ quantities! {
 
     /// A dead band in units of the gyroscope.
     GyroDeadband(u8): units / from_units / try_from_units -> f32, "gyro units", 1 / 10;
+
+    /// The zero of a gyroscope, in units of the gyroscope.
+    GyroZero(i16): units / from_units / try_from_units -> f32, "gyro units", 1 / 1000;
 
     /// The signal of a radio control channel, -16384 to 16384.
     RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {

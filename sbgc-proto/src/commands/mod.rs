@@ -22,6 +22,7 @@ mod scripts;
 mod storage;
 mod system;
 mod params;
+mod imu;
 
 pub use board::*;
 pub use calibration::*;
@@ -33,3 +34,4 @@ pub use scripts::*;
 pub use storage::*;
 pub use system::*;
 pub use params::*;
+pub use imu::*;

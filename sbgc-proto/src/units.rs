@@ -131,6 +131,18 @@ quantities! {
         UNKNOWN = 32767;
     };
 
+    /// The period of a curve of correction over a turn of the motor.
+    CorrectionPeriod(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1, special {
+        /// The board finds it.
+        AUTO = 0;
+    };
+
+    /// The heading of the frame against North.
+    FrameHeading(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
+        /// Stop to use the heading as a reference.
+        STOP_REFERENCE = 32767;
+    };
+
     /// A rate of turn as control commands have it: 0.1220740379 degrees a second.
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767;
@@ -169,11 +181,20 @@ quantities! {
     /// A rate of repetition.
     ServoRate(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
 
+    /// How long a calibration takes its samples.
+    CalibrationTime(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
+        /// As long as the board thinks fit, about 4 s for the gyroscope.
+        DEFAULT = 0;
+    };
+
     /// A jerk slope: the time in which an acceleration builds up. 0 leaves it as it is, 1 switches it off.
     JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1;
 
     /// A dead band in units of the gyroscope.
     GyroDeadband(u8): units / from_units / try_from_units -> f32, "gyro units", 1 / 10;
+
+    /// The zero of a gyroscope, in units of the gyroscope.
+    GyroZero(i16): units / from_units / try_from_units -> f32, "gyro units", 1 / 1000;
 
     /// The signal of a radio control channel, -16384 to 16384.
     RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {

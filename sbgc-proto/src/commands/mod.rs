@@ -14,6 +14,7 @@
 
 mod actions;
 mod board;
+mod calibration;
 mod common;
 mod confirm;
 mod control;
@@ -26,9 +27,11 @@ mod params {
     mod menu;
     pub use menu::*;
 }
+mod imu;
 
 pub use actions::*;
 pub use board::*;
+pub use calibration::*;
 pub use common::*;
 pub use confirm::*;
 pub use control::*;
@@ -37,3 +40,4 @@ pub use scripts::*;
 pub use storage::*;
 pub use system::*;
 pub use params::*;
+pub use imu::*;

@@ -1,0 +1,108 @@
+//! Calibration of accelerometer, gyroscope and magnetometer.
+
+use sbgc_proto_macros::{message, open_enum, record};
+
+use crate::units::CalibrationTime;
+use crate::wire::Reserved;
+
+/// Starts the regular calibration of the accelerometer.
+///
+/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. Whether this
+/// form is confirmed is not settled, so better use [`CalibAcc`], which names its sensor and does get confirmations.
+#[message(CMD_CALIB_ACC, outgoing, form = "simple", size = 0, length = 0)]
+pub struct CalibAccSimple {}
+
+/// Calibrates the accelerometer, or does something with its calibration.
+///
+/// If the parameters are valid `CMD_CONFIRM` comes at once, and a second one when the calibration has ended. Nothing
+/// moves: the sensor must be held still, for a calibration of all limits with each axis up and down in turn.
+/// Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress, the axis that is looked at and the limits
+/// that are done. How long it takes depends on the person who turns the sensor.
+///
+/// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu commands
+/// `MENU_CMD_CALIB_ACC` and `MENU_CMD_CALIB_ACC_TEMP` start the same.
+#[message(CMD_CALIB_ACC, outgoing, form = "extended", size = 12)]
+pub struct CalibAcc(pub ImuCalibration);
+
+/// Starts the regular calibration of the gyroscope.
+///
+/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. Whether this
+/// form is confirmed is not settled, so better use [`CalibGyro`], which names its sensor and does get confirmations.
+#[message(CMD_CALIB_GYRO, outgoing, form = "simple", size = 0, length = 0)]
+pub struct CalibGyroSimple {}
+
+/// Calibrates the gyroscope, or does something with its calibration.
+///
+/// If the parameters are valid `CMD_CONFIRM` comes at once, and a second one when the calibration has ended, after
+/// about 4 s unless another time was asked for. Nothing moves, and nothing may: the sensor must be held still.
+/// Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress, and in the amplitude of the gyroscope any
+/// movement that spoils the result.
+///
+/// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu commands
+/// `MENU_CMD_CALIB_GYRO` and `MENU_CMD_CALIB_GYRO_TEMP` start the same.
+#[message(CMD_CALIB_GYRO, outgoing, form = "extended", size = 12)]
+pub struct CalibGyro(pub ImuCalibration);
+
+/// Starts the regular calibration of the magnetometer.
+///
+/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. Whether this
+/// form is confirmed is not settled, so better use [`CalibMag`], which names its sensor and does get confirmations.
+#[message(CMD_CALIB_MAG, outgoing, form = "simple", size = 0, length = 0)]
+pub struct CalibMagSimple {}
+
+/// Calibrates the magnetometer, or does something with its calibration.
+///
+/// If the parameters are valid `CMD_CONFIRM` comes at once, and a second one when the calibration has ended. The
+/// motors move nothing: a person turns the sensor in all directions, as the user manual tells, and how long that takes
+/// is up to them. Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress and the error of the heading.
+/// There must be a magnetometer.
+///
+/// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu command
+/// `MENU_CMD_CALIB_MAG` starts the same.
+#[message(CMD_CALIB_MAG, outgoing, form = "extended", size = 12)]
+pub struct CalibMag(pub ImuCalibration);
+
+/// What to do with the calibration of one sensor.
+#[record(size = 12)]
+pub struct ImuCalibration {
+    /// Which sensor.
+    pub imu_idx: CalibImu,
+    /// What to do.
+    pub action: CalibAction,
+    /// How long to take samples, in newer firmware and for the gyroscope only. Older firmware has it reserved; leave
+    /// it zero there and for the other sensors.
+    pub time_ms: CalibrationTime,
+    pub reserved: Reserved<8>,
+}
+
+/// Which inertial measurement unit to calibrate. Spec: `CALIB_IMU_IDX`.
+#[open_enum(u8)]
+pub enum CalibImu {
+    /// The active one.
+    Current = 0,
+    /// The one on the camera platform.
+    Main = 1,
+    /// The one on the frame.
+    Frame = 2,
+}
+
+/// What to do with a calibration. Spec: `CALIB_ACTION`.
+///
+/// The spec describes these and gives them no names.
+#[open_enum(u8)]
+pub enum CalibAction {
+    /// Calibrate.
+    Regular = 1,
+    /// Forget all calibrations and restart the board.
+    ResetAllAndRestart = 2,
+    /// Calibrate over temperature.
+    Temperature = 3,
+    /// Use the calibration over temperature, if there is one, and restart the board.
+    EnableTempCalibAndRestart = 4,
+    /// Leave the calibration over temperature unused but in memory, and restart the board.
+    DisableTempCalibAndRestart = 5,
+    /// Copy the calibration from the sensor's EEPROM to the board's: back to the calibration of the factory.
+    CopySensorEepromToMain = 6,
+    /// Copy the calibration from the board's EEPROM to the sensor's.
+    CopyMainEepromToSensor = 7,
+}

@@ -1,0 +1,87 @@
+//! External sensors: what they report, and messages that the board passes on to and from them.
+
+use sbgc_proto_macros::{message, open_enum};
+
+use crate::wire::flags;
+
+/// Passes a message on to the external inertial sensor, a GPS_IMU.
+///
+/// If the sensor answers, that comes as [`ExtImuCmd`].
+#[message(CMD_EXT_IMU_CMD, outgoing, size = 1..=255)]
+pub struct ExtImuCmdRequest<'a> {
+    /// Command of the sensor's own protocol.
+    pub cmd_id: GpsImuCmd,
+    /// Payload of that command.
+    pub data: &'a [u8],
+}
+
+/// A message from the external inertial sensor, a GPS_IMU.
+#[message(CMD_EXT_IMU_CMD, incoming, size = 1..=255)]
+pub struct ExtImuCmd<'a> {
+    /// Command of the sensor's own protocol.
+    pub cmd_id: GpsImuCmd,
+    /// Payload of that command.
+    pub data: &'a [u8],
+}
+
+/// Passes a message on to a GPS_IMU, on boards of the extended family.
+///
+/// If the sensor answers, that comes as [`ExtSensCmd`]. One library's remark leaves out the flags; its own code and the
+/// other sources have them.
+#[message(CMD_EXT_SENS_CMD, outgoing, size = 2..=255, since = "2.68b7")]
+pub struct ExtSensCmdRequest<'a> {
+    /// How to pass it on.
+    pub flags: ExtSensFlags,
+    /// Command of the sensor's own protocol.
+    pub cmd_id: GpsImuCmd,
+    /// Payload of that command.
+    pub data: &'a [u8],
+}
+
+/// A message from a GPS_IMU, on boards of the extended family. In this direction there are no flags.
+#[message(CMD_EXT_SENS_CMD, incoming, size = 1..=255, since = "2.68b7")]
+pub struct ExtSensCmd<'a> {
+    /// Command of the sensor's own protocol.
+    pub cmd_id: GpsImuCmd,
+    /// Payload of that command.
+    pub data: &'a [u8],
+}
+
+flags! {
+    /// How a message is passed on to a sensor.
+    pub struct ExtSensFlags: u8 {
+        /// Before others.
+        const HIGH_PRIORITY = 1 << 0;
+    }
+}
+
+/// A command of the GPS_IMU's own protocol, whose payloads are not part of this one. Spec: `GPS_IMU_CMD`.
+#[open_enum(u8)]
+pub enum GpsImuCmd {
+    /// Confirms a command.
+    Confirm = 1,
+    /// Resets the sensor.
+    Reset = 2,
+    /// Tells of a reset.
+    ResetNotify = 3,
+    /// Asks what the sensor is.
+    GetDeviceInfo = 4,
+    /// What the sensor is.
+    DeviceInfo = 5,
+    /// Asks for data.
+    GetData = 6,
+    /// Asks for a stream of data.
+    GetDataStream = 7,
+    /// Data.
+    Data = 8,
+    /// Calibrates.
+    Calib = 9,
+    /// Goes to the boot loader.
+    BootMode = 10,
+    /// Logs data of the user.
+    UserDataLog = 11,
+    /// Asks for the configuration of the user's log.
+    GetUserConfLog = 12,
+    /// The configuration of the user's log.
+    UserConfLog = 13,
+}

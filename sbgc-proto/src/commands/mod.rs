@@ -19,15 +19,11 @@ mod common;
 mod confirm;
 mod control;
 mod i2c;
+mod imu;
+mod params;
 mod scripts;
 mod storage;
 mod system;
-mod params;
-mod params {
-    mod menu;
-    pub use menu::*;
-}
-mod imu;
 
 pub use actions::*;
 pub use board::*;
@@ -36,8 +32,8 @@ pub use common::*;
 pub use confirm::*;
 pub use control::*;
 pub use i2c::*;
+pub use imu::*;
+pub use params::*;
 pub use scripts::*;
 pub use storage::*;
 pub use system::*;
-pub use params::*;
-pub use imu::*;

@@ -99,6 +99,14 @@ pub enum Version {
 }
 
 impl Version {
+    /// 1 or 2.
+    pub const fn number(self) -> u8 {
+        match self {
+            Self::V1 => 1,
+            Self::V2 => 2,
+        }
+    }
+
     /// The byte a frame of this version starts with.
     pub const fn start_byte(self) -> u8 {
         match self {

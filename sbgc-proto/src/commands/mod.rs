@@ -16,8 +16,10 @@ mod board;
 mod common;
 mod confirm;
 mod control;
+mod realtime;
 
 pub use board::*;
 pub use common::*;
 pub use confirm::*;
 pub use control::*;
+pub use realtime::*;

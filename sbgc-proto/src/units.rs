@@ -15,6 +15,7 @@
 use core::fmt;
 
 use crate::OutOfRange;
+use crate::wire::U24;
 
 /// `value` in raw steps, rounded to the nearest, half away from zero.
 fn steps(value: f64, multiply: f64, divide: f64) -> f64 {
@@ -178,6 +179,9 @@ quantities! {
     /// An error of attitude.
     AttitudeError(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
 
+    /// How much the camera shakes.
+    StabilizationError(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1000;
+
     /// A rate of repetition.
     ServoRate(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
 
@@ -200,6 +204,8 @@ quantities! {
     RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {
         /// There is no signal.
         UNDEFINED = -32768;
+        /// There is no signal, as the specification writes it for `CMD_READ_RC_INPUTS`.
+        RC_UNDEF = -32767;
     };
 
     /// The signal of a radio control channel in coarse steps, -500 to 500 and slightly beyond.
@@ -253,6 +259,96 @@ quantities! {
 
     /// A ratio of gears in thousandths.
     GearRatio(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 1000;
+}
+
+impl RcSignal {
+    /// The fraction of full scale, -1 to 1; `None` where there is no signal.
+    pub fn signal(self) -> Option<f32> {
+        (self != Self::UNDEFINED && self != Self::RC_UNDEF).then(|| self.fraction())
+    }
+}
+
+/// The raw angle of an encoder, in steps of 24 bits a turn.
+///
+/// ```
+/// use sbgc_proto::units::EncoderAngle;
+///
+/// assert_eq!(EncoderAngle::from_degrees(90.0).0.get(), 1 << 22);
+/// assert_eq!(EncoderAngle::from_degrees(90.0).degrees(), 90.0);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct EncoderAngle(pub U24);
+
+impl EncoderAngle {
+    const STEPS: u32 = 1 << 24;
+
+    /// The angle in deg, from 0 to a full turn.
+    pub fn degrees(self) -> f64 {
+        f64::from(self.0.get()) * 360.0 / f64::from(Self::STEPS)
+    }
+
+    /// The nearest raw number for an angle in deg, of any number of turns; 0 for what is not a number.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within a turn")]
+    pub fn from_degrees(value: f64) -> Self {
+        let turn = value % 360.0;
+        let turn = if turn < 0.0 { turn + 360.0 } else { turn };
+        let raw = steps(turn, 360.0, f64::from(Self::STEPS)) as u32;
+        Self((raw % Self::STEPS).try_into().unwrap_or(U24::MAX))
+    }
+}
+
+impl fmt::Display for EncoderAngle {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.degrees().fmt(f)?;
+        f.write_str(" deg")
+    }
+}
+
+crate::wire::number_type!(EncoderAngle: U24, read |raw| EncoderAngle(raw), raw |value| value.0);
+
+#[cfg(feature = "reflect")]
+impl crate::reflect::NumberType for EncoderAngle {
+    const NUMBER: crate::reflect::Number = crate::reflect::Number {
+        unit: "deg",
+        multiply: 360.0,
+        divide: 16_777_216.0,
+        ..crate::reflect::Number::plain(crate::reflect::Scalar::u24)
+    };
+
+    fn raw_number(&self) -> i64 {
+        i64::from(self.0.get())
+    }
+
+    fn from_raw_number(raw: i64) -> Option<Self> {
+        U24::from_raw_number(raw).map(Self)
+    }
+}
+
+#[cfg(feature = "serde")]
+impl serde::Serialize for EncoderAngle {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if serializer.is_human_readable() {
+            serializer.serialize_f64(self.degrees())
+        } else {
+            self.0.serialize(serializer)
+        }
+    }
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for EncoderAngle {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        if !deserializer.is_human_readable() {
+            return U24::deserialize(deserializer).map(Self);
+        }
+        let steps = f64::from(Self::STEPS);
+        let limits = (0.0, steps - 1.0);
+        let visitor =
+            crate::serde_support::QuantityVisitor { labels: &[], multiply: 360.0, divide: steps, limits };
+        let raw = u32::try_from(deserializer.deserialize_any(visitor)?).map_err(serde::de::Error::custom)?;
+        U24::try_from(raw).map(Self).map_err(serde::de::Error::custom)
+    }
 }
 
 /// The version of the firmware as the board gives it: 2305 is 2.30 beta 5, and from 2.73 on the last digit is a patch

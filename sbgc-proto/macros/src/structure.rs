@@ -118,11 +118,12 @@ fn read(arguments: Arguments, item: TokenStream) -> Result<(ItemStruct, Structur
         if is_tail {
             tail = Some(name.clone());
         }
-        let reserved = is_named(&field.ty, "Reserved");
+        let inner = option.clone().unwrap_or_else(|| field.ty.clone());
+        let reserved = is_named(&inner, "Reserved");
         let declared = Field {
             spec: field_arguments.spec.clone().unwrap_or_else(|| capitals(&name.to_string())),
             doc,
-            inner: option.clone().unwrap_or_else(|| field.ty.clone()),
+            inner,
             is_option: option.is_some(),
             reserved,
             name,

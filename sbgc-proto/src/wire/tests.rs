@@ -63,6 +63,14 @@ pub(super) struct Named<'a> {
     pub reserved: Reserved<1>,
 }
 
+/// Reserved bytes, with and without condition.
+#[record]
+pub(super) struct Optional {
+    pub always: Reserved<1>,
+    #[wire(when = always.0 != [0])]
+    pub sometimes: Option<Reserved<2>>,
+}
+
 /// The same as another.
 #[message(CMD_CALIB_BAT, outgoing, size = 1..=6)]
 pub(super) struct Other(pub Tails);
@@ -211,6 +219,12 @@ mod reflection {
         let leaves = leaves(&message);
         assert_eq!(leaves[6], "path@6+1 PATH");
         assert_eq!(leaves[8], "value[0]@8+1 VALUE");
+    }
+
+    #[test]
+    fn reserved_bytes_are_marked_where_they_are_optional_too() {
+        let reflect::Shape::Struct(fields) = <Optional as reflect::Describe>::SHAPE else { panic!() };
+        assert!(fields.iter().all(|field| field.reserved));
     }
 
     #[test]

@@ -1,0 +1,57 @@
+//! The angles alone, axis by axis.
+
+use sbgc_proto_macros::{message, record};
+
+use crate::units::{Angle, ControlRate, LongAngle};
+use crate::wire::{PerAxis, Reserved};
+
+/// Asks for the angles and the target speed of all axes.
+#[message(CMD_GET_ANGLES, outgoing, size = 0, answer = Angles)]
+pub struct GetAngles {}
+
+/// Angles and target speed of all axes.
+#[message(CMD_GET_ANGLES, incoming, size = 18)]
+#[derive(Copy)]
+pub struct Angles {
+    /// Each axis.
+    pub axes: PerAxis<AxisAngles>,
+}
+
+/// Angles and target speed of one axis.
+#[record(size = 6)]
+#[derive(Copy)]
+pub struct AxisAngles {
+    /// Where the camera points, by its IMU.
+    pub imu_angle: Angle,
+    /// Where it should point.
+    pub target_angle: Angle,
+    /// How fast it should turn. [`RealtimeDataCustom`](super::RealtimeDataCustom) has the same in half this step.
+    pub target_speed: ControlRate,
+}
+
+/// Asks for the angles of all axes, those of the joints counted over several turns.
+#[message(CMD_GET_ANGLES_EXT, outgoing, size = 0, answer = AnglesExt)]
+pub struct GetAnglesExt {}
+
+/// Angles of all axes, those of the joints counted over several turns.
+#[message(CMD_GET_ANGLES_EXT, incoming, size = 54)]
+#[derive(Copy)]
+pub struct AnglesExt {
+    /// Each axis.
+    pub axes: PerAxis<AxisAnglesExt>,
+}
+
+/// Angles of one axis, that of the joint counted over several turns.
+#[record(size = 18)]
+#[derive(Copy)]
+pub struct AxisAnglesExt {
+    /// Where the camera points, by its IMU.
+    pub imu_angle: Angle,
+    /// Where it should point.
+    pub target_angle: Angle,
+    /// How far the joint is turned; 0 is its normal position. It does not jump after a full turn.
+    ///
+    /// Newer sources call it FRAME_CAM_ANGLE.
+    pub stator_rotor_angle: LongAngle,
+    pub reserved: Reserved<10>,
+}

@@ -206,12 +206,31 @@ quantities! {
         UNDEFINED = -32768;
         /// There is no signal, as the specification writes it for `CMD_READ_RC_INPUTS`.
         RC_UNDEF = -32767;
+        /// There is no signal, as older firmware has it in some messages.
+        UNDEFINED_OLD = -32767;
     };
 
     /// The signal of a radio control channel in coarse steps, -500 to 500 and slightly beyond.
     CoarseRcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 500, special {
         /// There is no signal.
         UNDEFINED = -10000;
+    };
+
+    /// The pulse time of a servo output; all below zero free the pin.
+    ServoTime(i16): microseconds / from_microseconds / try_from_microseconds -> f32, "us", 1 / 1, special {
+        /// The pin floats.
+        FLOATING = -1;
+        /// The pin is held low.
+        LOW = 0;
+    };
+
+    /// A time in samples of the sound generator.
+    SoundTime(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 8 / 1;
+
+    /// The frequency of a note; beyond 21000 it is a pause.
+    NoteFrequency(u16): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 1, special {
+        /// Restarts the envelope.
+        RESTART = 21000;
     };
 
     /// The version of the board, 3.0 for raw 30. Special values are the boards that have a name of their own.

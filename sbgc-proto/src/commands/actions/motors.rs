@@ -1,4 +1,4 @@
-//! Motors on and off, and the menu.
+//! Motors on, off and in step, and the menu.
 
 use sbgc_proto_macros::{message, open_enum};
 
@@ -33,6 +33,31 @@ pub enum MotorsOffMode {
     Brake = 1,
     /// For a gimbal out of balance: with less and less power until the motors stand still, then wholly.
     SafeStop = 2,
+}
+
+/// Brings motors that work in parallel on one axis in step.
+#[message(CMD_SYNC_MOTORS, outgoing, size = 6, since = "2.70b9")]
+pub struct SyncMotors {
+    /// The axis.
+    pub axis: SyncMotorsAxis,
+    /// Power in the windings.
+    pub power: u8,
+    /// For how long; then the motors are switched off.
+    #[wire(unit = "ms")]
+    pub time_ms: u16,
+    /// By what angle to turn, 0 to hold. The unit is not published.
+    pub angle: u16,
+}
+
+/// An axis. Spec: `SYNC_MOTORS_AXIS`.
+#[open_enum(u8)]
+pub enum SyncMotorsAxis {
+    /// ROLL.
+    Roll = 0,
+    /// PITCH.
+    Pitch = 1,
+    /// YAW.
+    Yaw = 2,
 }
 
 /// Runs a menu command.

@@ -2,10 +2,11 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
+use crate::commands::Confirm;
 use crate::wire::{bit_enums, bit_fields};
 
 /// Writes to a register of a device. The board confirms when that succeeded.
-#[message(CMD_I2C_WRITE_REG_BUF, outgoing, size = 2..=255)]
+#[message(CMD_I2C_WRITE_REG_BUF, outgoing, size = 2..=255, answer = Confirm)]
 pub struct I2cWriteRegBuf<'a> {
     /// Which device.
     pub device_addr: I2cDevice,

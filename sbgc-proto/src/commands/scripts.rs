@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::commands::FileErrorCode;
+use crate::commands::FsErrorCode;
 use crate::wire::Reserved;
 
 /// Starts or stops a script. Only boards with the feature `BOARD_FEATURE_SCRIPTING` can.
@@ -26,7 +26,7 @@ pub struct ScriptDebug {
     pub cmd_count: u16,
     /// What went wrong. The specification points to the errors of files; the vendor's library means the general errors
     /// of `CMD_ERROR`, which share their numbers.
-    pub err_code: FileErrorCode,
+    pub err_code: FsErrorCode,
 }
 
 /// What to do with a script. Spec: `RUN_SCRIPT_MODE`.
@@ -55,7 +55,7 @@ mod tests {
         assert_eq!(RunScript::decode(&payload), Ok(request));
 
         let report = ScriptDebug::decode(&[0x39, 0x4A, 8]).unwrap();
-        assert_eq!(report, ScriptDebug { cmd_count: 19_001, err_code: FileErrorCode::LimitReached });
+        assert_eq!(report, ScriptDebug { cmd_count: 19_001, err_code: FsErrorCode::LimitReached });
         assert_eq!(report.encode(&mut [0; 3]), Ok(&[0x39, 0x4A, 8][..]));
     }
 }

@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
+use crate::commands::{Confirm, FsErrorCode};
 use crate::units::PageOffset;
 use crate::wire::{Reserved, bit_enums, bit_fields};
 
@@ -41,15 +42,15 @@ pub struct FilePart<'a> {
 #[message(CMD_READ_FILE, incoming, form = "error", size = 1, length = 1)]
 pub struct FilePartError {
     /// Why.
-    pub err_code: FileErrorCode,
+    pub err_code: FsErrorCode,
 }
 
 /// Writes a part of a file.
 ///
 /// A file that does not exist is made, and one of another size is made to have
-/// [`file_size`](Self::file_size). The board confirms always, with a [`FileErrorCode`] as the data of the
+/// [`file_size`](Self::file_size). The board confirms always, with a [`FsErrorCode`] as the data of the
 /// confirmation. Without data this would be a [`WriteFileDelete`].
-#[message(CMD_WRITE_FILE, outgoing, form = "write", size = 7..=255, length = 7..)]
+#[message(CMD_WRITE_FILE, outgoing, form = "write", size = 7..=255, length = 7.., answer = Confirm)]
 pub struct WriteFile<'a> {
     /// Which file.
     pub file_id: FileId,
@@ -64,8 +65,8 @@ pub struct WriteFile<'a> {
 
 /// Deletes a file: a write without data.
 ///
-/// The board confirms always, with a [`FileErrorCode`] as the data of the confirmation.
-#[message(CMD_WRITE_FILE, outgoing, form = "delete", size = 6, length = 6)]
+/// The board confirms always, with a [`FsErrorCode`] as the data of the confirmation.
+#[message(CMD_WRITE_FILE, outgoing, form = "delete", size = 6, length = 6, answer = Confirm)]
 pub struct WriteFileDelete {
     /// Which file.
     pub file_id: FileId,
@@ -79,8 +80,8 @@ pub struct WriteFileDelete {
 /// Deletes all files.
 ///
 /// Takes about five seconds and, as the vendor's library warns, erases the settings in the EEPROM as well. The board
-/// confirms when it is done, with a [`FileErrorCode`] as the data of the confirmation.
-#[message(CMD_FS_CLEAR_ALL, outgoing, size = 0)]
+/// confirms when it is done, with a [`FsErrorCode`] as the data of the confirmation.
+#[message(CMD_FS_CLEAR_ALL, outgoing, size = 0, answer = Confirm)]
 pub struct FsClearAll {}
 
 bit_fields! {
@@ -138,43 +139,3 @@ pub enum FileType {
     CanDrv = 10,
 }
 bit_enums!(FileType);
-
-/// How an operation on a file ended. Spec: `FILE_ERR`.
-///
-/// The numbers are used again for other things by the general errors of `CMD_ERROR`. There, too, those that concern
-/// commands on files and the EEPROM (47, 48, 53, 54, 55) have the meanings of this list.
-#[open_enum(u8)]
-pub enum FileErrorCode {
-    /// It succeeded.
-    NoError = 0,
-    /// The EEPROM does not work.
-    #[wire(spec = "ERR_EEPROM_FAULT")]
-    EepromFault = 1,
-    /// There is no such file.
-    #[wire(spec = "ERR_FILE_NOT_FOUND")]
-    FileNotFound = 2,
-    /// The file allocation table is broken.
-    #[wire(spec = "ERR_FAT")]
-    Fat = 3,
-    /// The file does not fit.
-    #[wire(spec = "ERR_NO_FREE_SPACE")]
-    NoFreeSpace = 4,
-    /// The file allocation table has no place for one more file.
-    #[wire(spec = "ERR_FAT_IS_FULL")]
-    FatIsFull = 5,
-    /// The size of the file is wrong.
-    #[wire(spec = "ERR_FILE_SIZE")]
-    FileSize = 6,
-    /// A checksum is wrong.
-    #[wire(spec = "ERR_CRC")]
-    Crc = 7,
-    /// A limit is reached.
-    #[wire(spec = "ERR_LIMIT_REACHED")]
-    LimitReached = 8,
-    /// The file is corrupted.
-    #[wire(spec = "ERR_FILE_CORRUPTED")]
-    FileCorrupted = 9,
-    /// A field of the command is wrong.
-    #[wire(spec = "ERR_WRONG_PARAMS")]
-    WrongParams = 10,
-}

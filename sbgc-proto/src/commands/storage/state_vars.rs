@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::message;
 
+use crate::commands::Confirm;
 use crate::units::PeakAcceleration;
 use crate::wire::{Float, Reserved};
 
@@ -57,5 +58,5 @@ pub struct StateVars {
 }
 
 /// Writes back the state that outlives a restart. Read it first and change what is needed; the board confirms it.
-#[message(CMD_WRITE_STATE_VARS, outgoing, size = 192, since = "2.68b7")]
+#[message(CMD_WRITE_STATE_VARS, outgoing, size = 192, since = "2.68b7", answer = Confirm)]
 pub struct WriteStateVars(pub StateVars);

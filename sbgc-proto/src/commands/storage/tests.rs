@@ -52,7 +52,7 @@ fn answers_about_files_differ_by_length() {
     assert_eq!(bytes(&message), part);
 
     assert!(FilePartError::accepts(1) && !FilePart::accepts(1));
-    for (byte, code) in [(9, FileErrorCode::FileCorrupted), (99, FileErrorCode::Unknown(99))] {
+    for (byte, code) in [(9, FsErrorCode::FileCorrupted), (99, FsErrorCode::Unknown(99))] {
         let message = FilePartError::decode(&[byte]).unwrap();
         assert_eq!(message.err_code, code);
         assert_eq!(bytes(&message), [byte]);

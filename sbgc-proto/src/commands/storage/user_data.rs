@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::message;
 
+use crate::commands::Confirm;
 use crate::wire::Bytes;
 
 /// Asks for the user's data.
@@ -16,5 +17,5 @@ pub struct ExternalData {
 }
 
 /// Stores the user's data in the EEPROM. The board confirms it.
-#[message(CMD_WRITE_EXTERNAL_DATA, outgoing, size = 128)]
+#[message(CMD_WRITE_EXTERNAL_DATA, outgoing, size = 128, answer = Confirm)]
 pub struct WriteExternalData(pub ExternalData);

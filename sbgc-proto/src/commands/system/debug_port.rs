@@ -3,10 +3,11 @@
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::CommandId;
+use crate::commands::Confirm;
 use crate::wire::{Reserved, bit_fields, flags};
 
 /// Has the board send a copy of what goes over its other ports, or stop that. The board confirms it.
-#[message(CMD_SET_DEBUG_PORT, outgoing, size = 16, since = "2.66b4")]
+#[message(CMD_SET_DEBUG_PORT, outgoing, size = 16, since = "2.66b4", answer = Confirm)]
 pub struct SetDebugPortRequest {
     /// What to do.
     pub action: DebugPortAction,

@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::message;
 
+use crate::commands::Confirm;
 use crate::wire::{Bytes, Reserved, Text, flags};
 
 /// Has the board sign a message with its secret keys.
@@ -35,7 +36,7 @@ pub struct PassProtectRead {
 /// Sets what the password protects, and the password. The board confirms it.
 ///
 /// Known from one source only, the vendor's Python library.
-#[message(CMD_PASS_PROTECT_WRITE, outgoing, size = 9..=41, since = "2.73.6")]
+#[message(CMD_PASS_PROTECT_WRITE, outgoing, size = 9..=41, since = "2.73.6", answer = Confirm)]
 pub struct PassProtectWrite<'a> {
     /// What to protect.
     pub flags: PassProtectFlags,

@@ -278,6 +278,30 @@ quantities! {
 
     /// A ratio of gears in thousandths.
     GearRatio(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 1000;
+
+    /// The strength of the link between a motor's rotor and stator.
+    MagneticLink(u16): strength / from_strength / try_from_strength -> f32, "", 1 / 100;
+
+    /// A correction of how a sensor is mounted.
+    CorrectionAngle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 100;
+
+    /// A part of a time.
+    TimeShare(u8): percent / from_percent / try_from_percent -> f32, "%", 1 / 5;
+
+    /// How much a moment of inertia depends on the angle.
+    Ellipticity(u8): factor / from_factor / try_from_factor -> f32, "", 1 / 20;
+
+    /// A level of a control signal.
+    SignalThreshold(i8): level / from_level / try_from_level -> f32, "", 1 / 10;
+
+    /// A time in coarse steps.
+    Delay(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 100 / 1;
+
+    /// The resistance of one phase of a motor.
+    PhaseResistance(u8): milliohms / from_milliohms / try_from_milliohms -> f32, "mOhm", 100 / 1;
+
+    /// A limit of electric current.
+    CurrentLimit(u16): milliamperes / from_milliamperes / try_from_milliamperes -> f32, "mA", 10 / 1;
 }
 
 impl RcSignal {

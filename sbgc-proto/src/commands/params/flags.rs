@@ -93,3 +93,83 @@ flags! {
         const LPF "EN_LPF" = 1 << 3;
     }
 }
+
+flags! {
+    /// Settings that all profiles share, second set. Spec: `GENERAL_FLAGS2`.
+    pub struct GeneralFlags2: u16 {
+        /// The limit of ROLL is searched at start.
+        const SEARCH_LIMIT_ROLL = 1 << 0;
+        /// The limit of PITCH is searched at start.
+        const SEARCH_LIMIT_PITCH = 1 << 1;
+        /// The limit of YAW is searched at start.
+        const SEARCH_LIMIT_YAW = 1 << 2;
+        /// The moments of inertia are calibrated at start. Firmware 2.62b7 and later.
+        const AUTO_CALIBRATE_MOMENTUM = 1 << 3;
+        /// The moments of inertia feed forward. Firmware 2.62b7 and later.
+        const USE_MOMENTUM_FEED_FORWARD = 1 << 4;
+        /// The motors stay off at start. Firmware 2.62b7 and later.
+        const MOTORS_OFF_AT_STARTUP = 1 << 5;
+        /// The flight controller is below the outer motor; with `FC_BELOW_MIDDLE` too, it is on the camera platform.
+        /// Firmware 2.62b7 and later.
+        const FC_BELOW_OUTER = 1 << 6;
+        /// The limits of the encoders are not checked. Firmware 2.66 and later.
+        const DO_NOT_CHECK_ENCODER_LIMITS = 1 << 7;
+        /// The backup of the profiles is kept by itself. Firmware 2.66 and later.
+        const AUTO_SAVE_BACKUP_SLOT = 1 << 8;
+        /// The flight controller is below the middle motor; with `FC_BELOW_OUTER` too, it is on the camera platform.
+        /// Firmware 2.66 and later.
+        const FC_BELOW_MIDDLE = 1 << 9;
+        /// The temperature around is not known. Firmware 2.67b2 and later.
+        const ENVIRONMENT_TEMP_UNKNOWN = 1 << 10;
+        /// Low-pass filters of control and following go from 0 to 255 instead of 15. Newer firmware.
+        const LPF_EXTENDED_RANGE = 1 << 11;
+        /// Statistics of the system are saved. Newer firmware.
+        const SAVE_SYSTEM_STAT = 1 << 12;
+        /// The accelerometer is not used. Newer firmware.
+        const DISABLE_ACC = 1 << 13;
+        /// The power manager is not used. Newer firmware.
+        const DISABLE_POWER_MANAGER = 1 << 14;
+        /// The IMU on the board may be the main one. Newer firmware; a former name is `ALLOW_FRAME_IMU_AS_MAIN`.
+        const ALLOW_ONBOARD_IMU_AS_MAIN = 1 << 15;
+    }
+}
+
+flags! {
+    /// The soft limits of which the parking position is made. Spec: `PARKING_POS_CFG`.
+    pub struct ParkingPosition: u8 {
+        /// The negative limit of ROLL.
+        const ROLL_NEGATIVE = 1 << 0;
+        /// The positive limit of ROLL.
+        const ROLL_POSITIVE = 1 << 1;
+        /// The negative limit of PITCH.
+        const PITCH_NEGATIVE = 1 << 2;
+        /// The positive limit of PITCH.
+        const PITCH_POSITIVE = 1 << 3;
+        /// The negative limit of YAW.
+        const YAW_NEGATIVE = 1 << 4;
+        /// The positive limit of YAW.
+        const YAW_POSITIVE = 1 << 5;
+    }
+}
+
+flags! {
+    /// What automatic tuning of the controllers does. Spec: `AUTO_PID_CFG`.
+    ///
+    /// The specification shows bits 0, 1 and 3 only; the others are those of all newer sources.
+    pub struct AutoPidFlags: u8 {
+        /// It tunes ROLL.
+        const ROLL "AUTO_PID_CFG_ROLL" = 1 << 0;
+        /// It tunes PITCH.
+        const PITCH "AUTO_PID_CFG_PITCH" = 1 << 1;
+        /// It tunes YAW.
+        const YAW "AUTO_PID_CFG_YAW" = 1 << 2;
+        /// It reports its progress.
+        const SEND_GUI "AUTO_PID_CFG_SEND_GUI" = 1 << 3;
+        /// It begins with the present values.
+        const KEEP_CURRENT "AUTO_PID_CFG_KEEP_CURRENT" = 1 << 4;
+        /// It tunes the low-pass filters too.
+        const TUNE_LPF_FREQ "AUTO_PID_CFG_TUNE_LPF_FREQ" = 1 << 5;
+        /// It stores its result in all profiles.
+        const ALL_PROFILES "AUTO_PID_CFG_ALL_PROFILES" = 1 << 6;
+    }
+}

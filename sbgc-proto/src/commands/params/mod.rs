@@ -7,10 +7,12 @@
 //!
 //! Many parameters have no unit: they are the positions of sliders in the vendor's program.
 
+mod automation;
 mod block3;
 mod curves;
 mod encoders;
 mod ext;
+mod ext2;
 mod flags;
 mod hardware;
 mod menu;
@@ -19,10 +21,12 @@ mod rc;
 #[cfg(test)]
 mod tests;
 
+pub use automation::*;
 pub use block3::*;
 pub use curves::*;
 pub use encoders::*;
 pub use ext::*;
+pub use ext2::*;
 pub use flags::*;
 pub use hardware::*;
 pub use menu::*;

@@ -4,7 +4,7 @@
 use super::*;
 use crate::commands::*;
 use crate::units::*;
-use crate::wire::{PerAxis, ToWire};
+use crate::wire::{PerAxis, Reserved, ToWire};
 use crate::{DecodeError, Message};
 
 /// A payload in which every byte has another value, as far as there are values: made by hand from the layout.
@@ -109,6 +109,51 @@ fn ext_has_three_notch_filters_an_axis() {
     assert_eq!(params.d_term_lpf_freq.yaw.hertz(), 1030.0);
 
     let write: WriteParamsExt = whole(&payload);
+    assert_eq!(write.0, params);
+}
+
+#[test]
+fn ext2_has_its_groups_in_place() {
+    let payload = ramp::<151>();
+    let params: ParamsExt2 = whole(&payload);
+    let second = MavChannel {
+        mav_src: DevicePort::Unknown(9),
+        mav_sys_id: 10,
+        mav_comp_id: 11,
+        mav_cfg_flags: MavConfig(12),
+        mav_reserved: Reserved([13, 14, 15, 16]),
+    };
+    assert_eq!(params.mav_channels[1], second);
+    assert_eq!(second.mav_cfg_flags.baud(), SerialSpeed::Baud9600);
+    assert!(second.mav_cfg_flags.parity_even() && !second.mav_cfg_flags.heartbeat());
+    assert_eq!(params.motor_mag_link_fine.roll, MagneticLink(0x1211));
+    assert_eq!(params.pid_gain.roll, PidGain(26));
+    assert_eq!(params.frame_cam_angle_max.roll, 0x2726);
+    assert_eq!(params.imu_orientation_corr.x, CorrectionAngle(0x3130));
+    assert_eq!(params.emergency_stop_restart_delay, 0x3938);
+    assert_eq!(params.timelapse_acc_part.percent(), 11.6);
+    assert_eq!(params.stab_axis.roll.axis(), StabAxis::Pitch);
+    assert!(params.stab_axis.roll.auto_pitch());
+    assert_eq!(params.startup_action[0].action(), MenuCommand::ShakeGeneratorOn);
+    assert_eq!(params.startup_action_src[1], [RcSource(86), RcSource(87), RcSource(88), RcSource(89)]);
+    assert_eq!(params.startup_action_threshold[1][3].level(), 9.7);
+    assert_eq!(params.force_position_cfg.roll.snap(), SnapAngle::Degrees90);
+    assert!(params.force_position_cfg.roll.ignores_limits());
+    assert_eq!(
+        params.step_signals[5],
+        StepSignal { step_signal_src: RcSource(111), step_signal_cfg: StepSignalConfig(112) }
+    );
+    assert_eq!(params.step_signals[5].step_signal_cfg.mode(), StepSignalMode::High);
+    assert_eq!(params.rc_calibs[4].rc_calib_offset, -126);
+    assert_eq!(params.interrupt_cfg, InterruptConfig(0x8887));
+    assert_eq!(params.overload_time.milliseconds(), 13_700.0);
+    assert_eq!(params.jerk_slope.roll, 139);
+    assert_eq!(params.uart2_speed, SerialSpeed::Unknown(144));
+    assert_eq!(params.motor_res.roll.milliohms(), 14_500.0);
+    assert_eq!(params.current_limit, CurrentLimit(0x9594));
+    assert_eq!(params.middle_mot_tilt_angle, -106);
+
+    let write: WriteParamsExt2 = whole(&payload);
     assert_eq!(write.0, params);
 }
 

@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
+use crate::commands::Confirm;
 use crate::units::CalibrationTime;
 use crate::wire::Reserved;
 
@@ -21,7 +22,7 @@ pub struct CalibAccSimple {}
 ///
 /// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu commands
 /// `MENU_CMD_CALIB_ACC` and `MENU_CMD_CALIB_ACC_TEMP` start the same.
-#[message(CMD_CALIB_ACC, outgoing, form = "extended", size = 12)]
+#[message(CMD_CALIB_ACC, outgoing, form = "extended", size = 12, answer = Confirm)]
 pub struct CalibAcc(pub ImuCalibration);
 
 /// Starts the regular calibration of the gyroscope.
@@ -40,7 +41,7 @@ pub struct CalibGyroSimple {}
 ///
 /// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu commands
 /// `MENU_CMD_CALIB_GYRO` and `MENU_CMD_CALIB_GYRO_TEMP` start the same.
-#[message(CMD_CALIB_GYRO, outgoing, form = "extended", size = 12)]
+#[message(CMD_CALIB_GYRO, outgoing, form = "extended", size = 12, answer = Confirm)]
 pub struct CalibGyro(pub ImuCalibration);
 
 /// Starts the regular calibration of the magnetometer.
@@ -59,7 +60,7 @@ pub struct CalibMagSimple {}
 ///
 /// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu command
 /// `MENU_CMD_CALIB_MAG` starts the same.
-#[message(CMD_CALIB_MAG, outgoing, form = "extended", size = 12)]
+#[message(CMD_CALIB_MAG, outgoing, form = "extended", size = 12, answer = Confirm)]
 pub struct CalibMag(pub ImuCalibration);
 
 /// What to do with the calibration of one sensor.

@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
+use crate::commands::Confirm;
 use crate::units::CorrectionPeriod;
 use crate::wire::{PerAxis, Reserved, flags};
 
@@ -14,7 +15,7 @@ use crate::wire::{PerAxis, Reserved, flags};
 /// Only newer sources publish this payload; that older firmware with this command uses the same one is likely, not
 /// certain. One library lets its compiler pad each axis to 16 bytes, which makes 60 in all; two others have 57 bytes as
 /// here.
-#[message(CMD_CALIB_COGGING, outgoing, size = 57)]
+#[message(CMD_CALIB_COGGING, outgoing, size = 57, answer = Confirm)]
 pub struct CalibCogging {
     /// What to do.
     pub action: CoggingAction,

@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::message;
 
+use crate::commands::Confirm;
 use crate::units::Voltage;
 use crate::wire::Reserved;
 
@@ -31,7 +32,7 @@ pub struct CalibPoles {}
 /// Calibrates the board's voltage sensor against a voltage that was measured.
 ///
 /// The board must be powered by its battery or supply and not by USB alone. Confirmed once. The gimbal does not move.
-#[message(CMD_CALIB_BAT, outgoing, size = 2)]
+#[message(CMD_CALIB_BAT, outgoing, size = 2, answer = Confirm)]
 pub struct CalibBat {
     /// The measured voltage of the battery.
     pub actual_voltage: Voltage,
@@ -42,7 +43,7 @@ pub struct CalibBat {
 /// One `CMD_CONFIRM` comes at once. When it is done, no source says after how long, the board sends
 /// `CMD_READ_PARAMS_EXT2` without being asked, with the result in `IMU_ORIENTATION_CORR`. The motors should be off and
 /// the joint between the inner and the middle motor fixed.
-#[message(CMD_CALIB_ORIENT_CORR, outgoing, size = 16, since = "2.61")]
+#[message(CMD_CALIB_ORIENT_CORR, outgoing, size = 16, since = "2.61", answer = Confirm)]
 pub struct CalibOrientCorr {
     pub reserved: Reserved<16>,
 }

@@ -7,14 +7,14 @@ use sbgc_proto_macros::message;
 macro_rules! unpublished {
     ($($command:ident: $outgoing:ident, $incoming:ident, $what:literal;)*) => { $(
         #[doc = concat!($what, "; payload not published.")]
-        #[message($command, outgoing, form = "undocumented", size = 0..=255)]
+        #[message($command, outgoing, size = 0..=255)]
         pub struct $outgoing<'a> {
             /// The payload.
             pub data: &'a [u8],
         }
 
         #[doc = concat!($what, "; payload not published.")]
-        #[message($command, incoming, form = "undocumented", size = 0..=255)]
+        #[message($command, incoming, size = 0..=255)]
         pub struct $incoming<'a> {
             /// The payload.
             pub data: &'a [u8],

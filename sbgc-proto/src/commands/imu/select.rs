@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::commands::{CalibAction, CalibImu, ImuType};
+use crate::commands::{CalibAction, CalibImu, Confirm, ImuType};
 use crate::units::{CalibrationTime, GyroZero};
 use crate::wire::PerXyz;
 
@@ -22,7 +22,7 @@ pub struct SelectImu3 {
 /// another library, 8 by the first one's code. Better use [`SelectImu3`] with
 /// [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro) or
 /// [`CalibMag`](crate::commands::CalibMag), which do the same.
-#[message(CMD_SELECT_IMU_3, outgoing, form = "extended", size = 11..=12, length = 11..)]
+#[message(CMD_SELECT_IMU_3, outgoing, form = "extended", size = 11..=12, length = 11.., answer = Confirm)]
 pub struct SelectImu3Extended<'a> {
     /// Which sensor.
     pub imu_type: CalibImu,

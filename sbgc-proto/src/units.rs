@@ -302,6 +302,18 @@ quantities! {
 
     /// A limit of electric current.
     CurrentLimit(u16): milliamperes / from_milliamperes / try_from_milliamperes -> f32, "mA", 10 / 1;
+
+    /// The current at which a protection trips.
+    TripCurrent(u8): amperes / from_amperes / try_from_amperes -> f32, "A", 1 / 2;
+
+    /// The width of a soft limit.
+    LimitWidth(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
+
+    /// The gain of a resonance.
+    ResonanceGain(u8): decibels / from_decibels / try_from_decibels -> f32, "dB", 1 / 5;
+
+    /// The resistance of a shunt.
+    ShuntResistance(u16): ohms / from_ohms / try_from_ohms -> f32, "Ohm", 1 / 100;
 }
 
 impl RcSignal {

@@ -19,6 +19,9 @@ fn power(mut base: f64, mut exponent: u8) -> f64 {
 /// The 255th root of 52: each step of a scale from 0 to 255 on which `value + 5` grows evenly in its logarithm.
 const ROOT_OF_52: f64 = 1.015_615_744_519_757_1;
 
+/// The 255th root of 500.
+const ROOT_OF_500: f64 = 1.024_670_412_549_888_6;
+
 /// The 127th root of 50.
 const ROOT_OF_50: f64 = 1.031_282_662_354_534;
 
@@ -115,5 +118,47 @@ curves! {
         /// The gain as firmware 2.73.1 and later has it, if the vendor's inverse formula is right:
         /// `50^((raw - 1) / 127) / 50`, which is 1 for raw 128. See [`logarithmic`](Self::logarithmic).
         centered / from_centered = |raw| power(ROOT_OF_50, raw) / ROOT_OF_50 / 50.0;
+    }
+
+    /// The quality of a low-pass filter, as its inverse.
+    InverseQuality {
+        /// The inverse of the quality: `0.2 + raw * 0.02`.
+        inverse_quality / from_inverse_quality = |raw| 0.2 + f64::from(raw) * 0.02;
+    }
+
+    /// The factor of the outer loop's proportional term in servo mode.
+    ServoFactor {
+        /// The factor: `0.1 * exp(raw * ln(500) / 255)`.
+        factor / from_factor = |raw| 0.1 * power(ROOT_OF_500, raw);
+    }
+
+    /// The outer loop's integral term in servo mode.
+    ServoTerm {
+        /// The term: `5 * exp(raw * ln(52) / 255) - 5`.
+        term / from_term = logarithmic;
+    }
+
+    /// The base frequency of the shake generator.
+    ShakeFrequency {
+        /// The frequency in Hz: `0.3 + raw * 0.05`.
+        hertz / from_hertz = |raw| 0.3 + f64::from(raw) * 0.05;
+    }
+
+    /// The frequency of resonance of the shake generator.
+    ShakeResonance {
+        /// The frequency in Hz: `0.3 + raw * 0.1`.
+        hertz / from_hertz = |raw| 0.3 + f64::from(raw) * 0.1;
+    }
+
+    /// The range of frequencies of the shake generator, as a multiple of its base frequency.
+    ShakeRange {
+        /// The multiple: `1.5 + raw * 0.1`.
+        multiple / from_multiple = |raw| 1.5 + f64::from(raw) * 0.1;
+    }
+
+    /// The period of pauses of the shake generator.
+    ShakePause {
+        /// The period in milliseconds: `500 + raw * 20`.
+        milliseconds / from_milliseconds = |raw| 500.0 + f64::from(raw) * 20.0;
     }
 }

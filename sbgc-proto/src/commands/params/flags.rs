@@ -173,3 +173,163 @@ flags! {
         const ALL_PROFILES "AUTO_PID_CFG_ALL_PROFILES" = 1 << 6;
     }
 }
+
+flags! {
+    /// Settings that all profiles share, third set. Spec: `GENERAL_FLAGS3`.
+    ///
+    /// All are of newer firmware and published by name only; what they do is read from their names.
+    pub struct GeneralFlags3: u32 {
+        /// The table that corrects the encoder of ROLL is in use.
+        const ENC_LUT_EN_ROLL = 1 << 0;
+        /// The table that corrects the encoder of PITCH is in use.
+        const ENC_LUT_EN_PITCH = 1 << 1;
+        /// The table that corrects the encoder of YAW is in use.
+        const ENC_LUT_EN_YAW = 1 << 2;
+        /// YAW of MavLink commands is absolute.
+        const MAVLINK_YAW_ABSOLUTE = 1 << 3;
+        /// The external sensor is the reference.
+        const EXT_SENS_AS_REFERENCE = 1 << 4;
+        /// Bluetooth is off.
+        const DISABLE_BT = 1 << 5;
+        /// A sensor that was lost may come back.
+        const ALLOW_SENSOR_RECOVERY = 1 << 6;
+        /// UART2 is on its other pins.
+        const UART2_ALT = 1 << 7;
+        /// ROLL may pass its soft limits.
+        const PASS_LIMIT_ROLL = 1 << 8;
+        /// PITCH may pass its soft limits.
+        const PASS_LIMIT_PITCH = 1 << 9;
+        /// YAW may pass its soft limits.
+        const PASS_LIMIT_YAW = 1 << 10;
+        /// ROLL is not pushed against its soft limits.
+        const DONT_PUSH_SOFT_LIMITS_ROLL = 1 << 11;
+        /// PITCH is not pushed against its soft limits.
+        const DONT_PUSH_SOFT_LIMITS_PITCH = 1 << 12;
+        /// YAW is not pushed against its soft limits.
+        const DONT_PUSH_SOFT_LIMITS_YAW = 1 << 13;
+        /// Tripod mode switches itself on.
+        const TRIPOD_MODE_AUTO = 1 << 14;
+        /// In tripod mode the gyroscope is calibrated all the time.
+        const TRIPOD_MODE_GYRO_ONLINE_CALIB = 1 << 15;
+        /// In the retracted position the motors are off.
+        const RETRACTED_POSITION_MOTORS_OFF = 1 << 16;
+        /// The thermostat of the IMU on the CAN bus is on.
+        const CAN_IMU_THERMOSTAT_ENABLE = 1 << 17;
+        /// The retracted position is reached by the shortest way.
+        const RETRACTED_POSITION_SHORTEST = 1 << 18;
+        /// Remote control can leave the retracted position.
+        const RETRACTED_POSITION_RC_CONTROL = 1 << 19;
+        /// Limits of acceleration have their extended range.
+        const ACC_LIMIT_EXT_RANGE = 1 << 20;
+        /// ROLL moves by the shortest way.
+        const MOVE_SHORT_PATH_ROLL = 1 << 21;
+        /// PITCH moves by the shortest way.
+        const MOVE_SHORT_PATH_PITCH = 1 << 22;
+        /// YAW moves by the shortest way.
+        const MOVE_SHORT_PATH_YAW = 1 << 23;
+        /// The soft limits of the middle motor go with an inverted frame.
+        const FRAME_INV_SOFT_LIMIT_MIDDLE = 1 << 24;
+        /// The soft limits of the outer motor go with an inverted frame.
+        const FRAME_INV_SOFT_LIMIT_OUTER = 1 << 25;
+        /// Servo output 1 of the IMU on the CAN bus puts out a duty cycle.
+        const CAN_IMU_SERVO1_DUTY_MODE = 1 << 26;
+        /// Servo output 2 of the IMU on the CAN bus puts out a duty cycle.
+        const CAN_IMU_SERVO2_DUTY_MODE = 1 << 27;
+    }
+}
+
+flags! {
+    /// Settings that all profiles share, fourth set. Spec: `GENERAL_FLAGS4`.
+    ///
+    /// All are of newer firmware and published by name only; what they do is read from their names.
+    pub struct GeneralFlags4: u32 {
+        /// Acceleration is limited by the moment of inertia.
+        const ACC_LIMIT_BY_MOMENTUM = 1 << 0;
+        /// The moments of inertia are calibrated in the normal position.
+        const CALIB_MOMENTUM_IN_NORMAL_POS = 1 << 1;
+        /// One half of `EULER_INVERSE_INIT_MASK`: Euler angles begin by the middle axis.
+        const EULER_MIDDLE_AXIS = 1 << 2;
+        /// The other half: Euler angles begin so that they match the rotation of the motors.
+        const EULER_MATCH_MOTOR_ROTATION = 1 << 3;
+    }
+}
+
+flags! {
+    /// Settings of a profile, second set. Spec: `PROFILE_FLAGS2`.
+    ///
+    /// All are of newer firmware and published by name only; what they do is read from their names.
+    pub struct ProfileFlags2: u16 {
+        /// PITCH does not follow.
+        const FOLLOW_PITCH_DISABLED = 1 << 0;
+        /// A low angle of ROLL has priority.
+        const LOW_ANGLE_PRIOR_ROLL = 1 << 1;
+        /// A low angle of PITCH has priority.
+        const LOW_ANGLE_PRIOR_PITCH = 1 << 2;
+        /// A low angle of YAW has priority.
+        const LOW_ANGLE_PRIOR_YAW = 1 << 3;
+        /// Tripod mode for the heading.
+        const HEADING_TRIPOD_MODE = 1 << 4;
+        /// The motor of ROLL is off.
+        const MOT_ROLL_DISABLED = 1 << 5;
+        /// The motor of PITCH is off.
+        const MOT_PITCH_DISABLED = 1 << 6;
+        /// The motor of YAW is off.
+        const MOT_YAW_DISABLED = 1 << 7;
+        /// Servo output 1 puts out a duty cycle.
+        const RC_OUT_DUTY1 = 1 << 8;
+        /// Servo output 2 puts out a duty cycle.
+        const RC_OUT_DUTY2 = 1 << 9;
+        /// Servo output 3 puts out a duty cycle.
+        const RC_OUT_DUTY3 = 1 << 10;
+        /// Servo output 4 puts out a duty cycle.
+        const RC_OUT_DUTY4 = 1 << 11;
+        /// Following is off at start.
+        const DISABLE_FOLLOW_STARTUP = 1 << 12;
+        /// Servo mode is on.
+        const SERVO_MODE = 1 << 13;
+        /// Each axis has its own dead band and exponential rate of remote control.
+        const RC_EXPO_DEADBAND_SPLIT = 1 << 14;
+    }
+}
+
+flags! {
+    /// Settings of a profile, third set. Spec: `PROFILE_FLAGS3`.
+    ///
+    /// All are of newer firmware and published by name only; what they do is read from their names.
+    pub struct ProfileFlags3: u32 {
+        /// The limit of acceleration of ROLL sets itself.
+        const ACC_LIMIT_AUTO_R = 1 << 0;
+        /// The limit of acceleration of PITCH sets itself.
+        const ACC_LIMIT_AUTO_P = 1 << 1;
+        /// The limit of acceleration of YAW sets itself.
+        const ACC_LIMIT_AUTO_Y = 1 << 2;
+        /// The shake generator is on.
+        const SHAKE_GENERATOR_ENABLED = 1 << 3;
+        /// The error of ROLL is corrected by the long way too.
+        const ERR_CORR_LONG_R = 1 << 4;
+        /// The error of PITCH is corrected by the long way too.
+        const ERR_CORR_LONG_P = 1 << 5;
+        /// The error of YAW is corrected by the long way too.
+        const ERR_CORR_LONG_Y = 1 << 6;
+    }
+}
+
+flags! {
+    /// How an external IMU is used. Spec: `EXT_IMU_FLAGS`. Bit 0 is not listed.
+    pub struct ExtImuFlags: u16 {
+        /// Only to compensate accelerations.
+        const ACC_COMP_ONLY "EXT_IMU_FLAG_ACC_COMP_ONLY" = 1 << 1;
+        /// It replaces the board's own IMU.
+        const REPLACE "EXT_IMU_FLAG_REPLACE" = 1 << 2;
+        /// It corrects the attitude.
+        const Z "EXT_IMU_FLAG_Z" = 1 << 3;
+        /// It corrects the heading.
+        const H "EXT_IMU_FLAG_H" = 1 << 4;
+        /// Its mounting is updated when the frame is upside down.
+        const FRAME_UPSIDE_DOWN_UPDATE "EXT_IMU_FLAG_FRAME_UPSIDE_DOWN_UPDATE" = 1 << 5;
+        /// It is the frame IMU.
+        const AS_FRAME_IMU "EXT_IMU_FLAG_AS_FRAME_IMU" = 1 << 6;
+        /// It corrects the gyroscope. Firmware 2.68b7 and later.
+        const GYRO_CORR "EXT_IMU_FLAG_GYRO_CORR" = 1 << 7;
+    }
+}

@@ -158,11 +158,50 @@ fn ext2_has_its_groups_in_place() {
 }
 
 #[test]
+fn ext3_has_the_newer_fields_in_place() {
+    let payload = ramp::<221>();
+    let params: ParamsExt3 = whole(&payload);
+    assert_eq!(params.ext_imu_type, ExtImuType::Unknown(22));
+    assert_eq!(params.ext_imu_orientation, 25);
+    assert_eq!(params.ext_imu_flags.bits(), 0x1B1A);
+    assert_eq!(params.soft_limit_width.roll.degrees(), 4.0);
+    assert_eq!(params.glock_mid_mot_pos_corr_rate, 46);
+    assert_eq!(params.extra_btn_cfg[0].pin(), 15);
+    assert_eq!(params.power_ctrl_overcurrent_protection.amperes(), 26.0);
+    assert_eq!(params.lpf_q_inv.roll.inverse_quality(), 1.4);
+    assert_eq!(params.profile_flags2.bits(), 0x4140);
+    assert_eq!(params.general_flags3.bits(), 0x4847_4645);
+    assert_eq!(params.follow_offset_ext.yaw, Angle(0x4E4D));
+    assert_eq!(params.rc_expo_rate_yaw, 94);
+    assert_eq!(params.default_profile, ProfileId::Unknown(99));
+    assert_eq!(params.retracted_angle.roll, 0x6564);
+    assert_eq!(params.shake_base_freq.hertz(), 5.75);
+    assert_eq!(params.shake_pause_period.milliseconds(), 2720.0);
+    assert_eq!(params.shake_freq_shift, [120, 121, 122]);
+    assert_eq!(params.ext_motor_drv_ids, [128, 129, 130, 131, 132, 133, 134]);
+    // 0x8887.
+    assert_eq!(params.encoder_cfg_ext.roll.resolution(), 7);
+    assert_eq!(params.encoder_cfg_ext.roll.multi_turn(), MultiTurn::Bits24);
+    assert_eq!(params.ext_sens_params.0[15], 156);
+    assert_eq!(params.imu_angle_corr_p, CorrectionAngle(0xA09F_u16.cast_signed()));
+    assert_eq!(params.servo_outer_i, ServoTerm(165));
+    assert_eq!(params.ext_pwr_sw_shunt_r, ShuntResistance(0xA7A6));
+    assert_eq!(params.general_flags4.bits(), 0xABAA_A9A8);
+    assert_eq!(params.auto_motion_timeout, 172);
+    assert_eq!(params.reserved4.0[47], 220);
+
+    let write: WriteParamsExt3 = whole(&payload);
+    assert_eq!(write.0, params);
+}
+
+#[test]
 fn curves_go_through_their_points() {
     assert_eq!(PidTerm(0).logarithmic(), 0.0);
     assert_eq!(PidGain(0).gain(), 0.1);
     assert_eq!(PidGain(128).centered(), 1.0);
     assert_eq!(PidGain(1).centered(), 0.02);
+    assert_eq!(ServoFactor(0).factor(), 0.1);
+    assert_eq!(ServoFactor(255).factor(), 50.0);
     for raw in 0..=255 {
         assert_eq!(PidTerm::from_logarithmic(PidTerm(raw).logarithmic()), PidTerm(raw));
         assert_eq!(PidGain::from_gain(PidGain(raw).gain()), PidGain(raw));

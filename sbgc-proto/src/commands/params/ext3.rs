@@ -1,0 +1,184 @@
+//! The fourth block of a profile's parameters: external IMU and, in newer firmware, much else.
+
+use sbgc_proto_macros::message;
+
+use super::{
+    CanImuSensor, DevicePort, EncoderConfigExt, ExtImuFlags, ExtImuPosition, ExtImuType, ExtraButton,
+    GeneralFlags3, GeneralFlags4, InverseQuality, ProfileFlags2, ProfileFlags3, ServoFactor, ServoTerm,
+    ShakeFrequency, ShakePause, ShakeRange, ShakeResonance,
+};
+use crate::commands::{ProfileId, RcSource};
+use crate::units::{
+    Angle, CorrectionAngle, Delay, LimitWidth, ResonanceGain, ServoRate, ShuntResistance, TripCurrent,
+};
+use crate::wire::{Bytes, PerAxis, Reserved};
+
+/// Asks for the fourth block of a profile's parameters.
+#[message(CMD_READ_PARAMS_EXT3, outgoing, size = 1, since = "2.66", answer = ParamsExt3)]
+pub struct ReadParamsExt3 {
+    /// Which profile. Any number above 4 is the active one.
+    pub profile_id: ProfileId,
+}
+
+/// Writes the fourth block of a profile's parameters and saves it to EEPROM.
+///
+/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it.
+#[message(CMD_WRITE_PARAMS_EXT3, outgoing, size = 221, since = "2.66")]
+pub struct WriteParamsExt3(pub ParamsExt3);
+
+/// The fourth block of a profile's parameters.
+///
+/// It always has 221 bytes. Firmware 2.66 uses those up to `GLOCK_MID_MOT_POS_CORR_RATE`, without the three fields of
+/// the external IMU behind `EXT_IMU_FLAGS`; all else is of newer firmware, up to 2.73, and was reserved before. Which
+/// firmware began with which field is not published.
+#[message(CMD_READ_PARAMS_EXT3, incoming, size = 221, since = "2.66")]
+pub struct ParamsExt3 {
+    /// Whose parameters these are.
+    pub profile_id: ProfileId,
+    /// Kept.
+    pub reserved: Reserved<21>,
+    /// Model of the external IMU.
+    pub ext_imu_type: ExtImuType,
+    /// The port of the external IMU.
+    pub ext_imu_port: DevicePort,
+    /// Where the external IMU is mounted.
+    pub ext_imu_position: ExtImuPosition,
+    /// How the external IMU is mounted: which of its axes points up and which to the right, each as an index into X,
+    /// Y, Z, -X, -Y, -Z.
+    ///
+    /// The raw byte, since sources disagree on how it is divided: the specification says 4 bits for up and then 3 for
+    /// right, the vendor's library says 3 and 3.
+    pub ext_imu_orientation: u8,
+    /// How the external IMU is used.
+    pub ext_imu_flags: ExtImuFlags,
+    /// Correction of how the external IMU is mounted. Newer firmware, in one source only.
+    pub ext_imu_align_correction: PerAxis<i16>,
+    /// How long the external IMU takes to start. Newer firmware, in one source only.
+    pub ext_imu_startup_delay: u8,
+    /// How fast the external IMU corrects the gyroscope. Newer firmware, in one source only.
+    pub ext_imu_gyro_corr_rate: u8,
+    /// Kept.
+    pub ext_imu_reserved: Reserved<4>,
+    /// Width of each axis' soft limits, which `FRAME_CAM_ANGLE_MIN` and `_MAX` in [`ParamsExt2`](super::ParamsExt2)
+    /// set.
+    #[wire(range = 1..=255)]
+    pub soft_limit_width: PerAxis<LimitWidth>,
+    /// Signals that take the place of the three analog inputs.
+    pub adc_replace_src: [RcSource; 3],
+    /// How fast the middle motor's position is corrected near gimbal lock.
+    pub glock_mid_mot_pos_corr_rate: u8,
+    /// Five extra buttons.
+    pub extra_btn_cfg: [ExtraButton; 5],
+    /// The current at which the power control switches off.
+    pub power_ctrl_overcurrent_protection: TripCurrent,
+    /// How long the power control waits before it switches on.
+    pub power_ctrl_power_on_delay: Delay,
+    /// How long the power control waits before it switches off.
+    pub power_ctrl_power_off_delay: Delay,
+    /// How the power control limits the current when it switches on.
+    pub power_ctrl_power_on_limiter: u8,
+    /// Kept.
+    pub power_ctrl_reserved: Reserved<4>,
+    /// Quality of each axis' low-pass filter.
+    pub lpf_q_inv: PerAxis<InverseQuality>,
+    /// The sensor that is connected to the IMU on the CAN bus.
+    pub can_imu_ext_sens_type: CanImuSensor,
+    /// Settings of this profile.
+    pub profile_flags2: ProfileFlags2,
+    /// Kept.
+    pub reserved3: Reserved<3>,
+    /// Settings that all profiles share.
+    pub general_flags3: GeneralFlags3,
+    /// Offset of the neutral point in follow mode.
+    #[wire(range = -16384..=16384, since = "2.70")]
+    pub follow_offset_ext: PerAxis<Angle>,
+    /// How long the motors wait at start.
+    #[wire(unit = "ms")]
+    pub motor_startup_delay: u16,
+    /// Model of the main IMU.
+    pub imu_model_main: u8,
+    /// Model of the frame IMU.
+    pub imu_model_frame: u8,
+    /// Threshold of each axis' stabilization. No source gives its unit.
+    #[wire(range = 15..=80)]
+    pub stab_threshold_angle: PerAxis<u8>,
+    /// The pin of an external buzzer.
+    pub ext_buzzer_pin: u8,
+    /// How fast each axis returns from beyond its limits.
+    pub enc_limit_return_speed: PerAxis<u8>,
+    /// Below which motion tripod mode switches itself on.
+    pub tripod_mode_auto_threshold: u8,
+    /// Dead band of PITCH, where `RC_EXPO_DEADBAND_SPLIT` is set.
+    pub rc_deadband_pitch: u8,
+    /// Dead band of YAW, where `RC_EXPO_DEADBAND_SPLIT` is set.
+    pub rc_deadband_yaw: u8,
+    /// Exponential rate of PITCH, where `RC_EXPO_DEADBAND_SPLIT` is set.
+    pub rc_expo_rate_pitch: u8,
+    /// Exponential rate of YAW, where `RC_EXPO_DEADBAND_SPLIT` is set.
+    pub rc_expo_rate_yaw: u8,
+    /// Settings of this profile.
+    pub profile_flags3: ProfileFlags3,
+    /// The profile that is active at start.
+    #[wire(range = 0..=4)]
+    pub default_profile: ProfileId,
+    /// Angle of each motor in the retracted position. No source gives its unit.
+    pub retracted_angle: PerAxis<i16>,
+    /// Amplitude of the shake generator on ROLL, TILT and PAN, on a logarithmic scale.
+    pub shake_amplitude: [u8; 3],
+    /// Base frequency of the shake generator.
+    pub shake_base_freq: ShakeFrequency,
+    /// Range of frequencies of the shake generator.
+    #[wire(range = 0..=100)]
+    pub shake_freq_range: ShakeRange,
+    /// Period of pauses of the shake generator.
+    pub shake_pause_period: ShakePause,
+    /// Balance between shake and pause.
+    #[wire(range = 0..=100)]
+    pub shake_pause_balance: u8,
+    /// How much shake is left in a pause.
+    #[wire(range = 0..=100)]
+    pub shake_pause_attenuation: u8,
+    /// How irregular pauses are.
+    #[wire(range = 0..=100)]
+    pub shake_pause_randomness: u8,
+    /// How much the phases of pauses vary.
+    #[wire(range = 0..=100)]
+    pub shake_pause_phase_var: u8,
+    /// Gain of the shake generator's resonance on ROLL, TILT and PAN.
+    pub shake_resonance_gain: [ResonanceGain; 3],
+    /// Frequency of the shake generator's resonance.
+    pub shake_resonance_freq: ShakeResonance,
+    /// Shift of frequencies on ROLL, TILT and PAN, on a logarithmic scale from 1/3 to 3.
+    #[wire(range = -127..=127)]
+    pub shake_freq_shift: [i8; 3],
+    /// Kept.
+    pub shake_reserved: Reserved<5>,
+    /// Ids on the CAN bus of the drivers of auxiliary motors 1 to 7.
+    pub ext_motor_drv_ids: [u8; 7],
+    /// More on how each axis' encoder is read.
+    pub encoder_cfg_ext: PerAxis<EncoderConfigExt>,
+    /// Parameters of the sensor that `CAN_IMU_EXT_SENS_TYPE` names; their layout is its own.
+    pub ext_sens_params: Bytes<16>,
+    /// Correction of the IMU's angle of ROLL.
+    pub imu_angle_corr_r: CorrectionAngle,
+    /// Correction of the IMU's angle of PITCH.
+    pub imu_angle_corr_p: CorrectionAngle,
+    /// Virtual channels that are put out on the two servo outputs of the IMU on the CAN bus, from 1 on; 0 for none.
+    #[wire(range = 0..=32)]
+    pub can_imu_servo_out: [u8; 2],
+    /// How often those outputs repeat.
+    #[wire(range = 5..=40)]
+    pub can_imu_servo_rate: ServoRate,
+    /// Factor of the outer loop's proportional term in servo mode.
+    pub servo_outer_p_mult: ServoFactor,
+    /// Integral term of the outer loop in servo mode.
+    pub servo_outer_i: ServoTerm,
+    /// Resistance of the shunt of an external power switch.
+    pub ext_pwr_sw_shunt_r: ShuntResistance,
+    /// Settings that all profiles share.
+    pub general_flags4: GeneralFlags4,
+    /// How long automated motion may take. In one source only.
+    pub auto_motion_timeout: u8,
+    /// Kept.
+    pub reserved4: Reserved<48>,
+}

@@ -3,6 +3,7 @@
 
 use super::*;
 use crate::commands::*;
+use crate::frame::Version;
 use crate::units::*;
 use crate::wire::{PerAxis, Reserved, ToWire};
 use crate::{DecodeError, Message};
@@ -17,7 +18,7 @@ fn whole<'p, M: Message + crate::wire::FromWire<'p> + ToWire>(payload: &'p [u8])
     let (message, rest) = M::decode_prefix(payload).unwrap();
     assert!(rest.is_empty());
     assert_eq!(message.encode(&mut [0; 255]), Ok(payload));
-    if M::MIN_LEN == payload.len() {
+    if M::MIN_LEN > 0 && M::MIN_LEN == payload.len() {
         let got = payload.len() - 1;
         let error = DecodeError::TooShort { command: M::SPEC, needed: payload.len(), got };
         assert_eq!(M::decode(&payload[..got]).err(), Some(error));
@@ -192,6 +193,44 @@ fn ext3_has_the_newer_fields_in_place() {
 
     let write: WriteParamsExt3 = whole(&payload);
     assert_eq!(write.0, params);
+}
+
+#[test]
+fn profiles_are_asked_for_by_number() {
+    // From the specification's example of a frame: read Profile2.
+    let mut buffer = [0; 16];
+    let frame = ReadParams { profile_id: ProfileId::Profile2 }.encode_frame(Version::V1, &mut buffer);
+    assert_eq!(frame, Ok(&[0x3E, 0x52, 0x01, 0x53, 0x01, 0x01][..]));
+
+    for raw in [0, 4, 5, 253, 254, 255] {
+        assert_eq!(whole::<ReadParamsExt2>(&[raw]).profile_id, ProfileId::from(raw));
+        assert_eq!(whole::<UseDefaults>(&[raw]).profile_id, ProfileId::from(raw));
+    }
+    assert_eq!(whole::<WriteParamsSet>(&[1]).action, WriteParamsSetAction::Start);
+    assert_eq!(whole::<Params<'_>>(&[1, 2, 3]).data, [1, 2, 3]);
+    assert_eq!(whole::<QueueParamsInfo3<'_>>(&[]).data, []);
+}
+
+#[test]
+fn sets_of_profiles_are_loaded() {
+    let payload = [6, 3, 9, 8, 7, 6, 5, 4, 3, 2];
+    let set: ProfileSet = whole(&payload);
+    assert_eq!(set.slot, ProfileSetSlot::Backup);
+    assert_eq!(set.action, ProfileSetAction::Load);
+    assert_eq!(set.reserved.0, payload[2..]);
+}
+
+#[test]
+fn names_are_48_bytes_each() {
+    let mut payload = [0; 240];
+    payload[48..53].copy_from_slice("Höhe".as_bytes());
+    // What stands behind the first zero is not the name's, but it stays.
+    payload[54] = 7;
+    payload[239] = 0xFF;
+    let names: ProfileNames = whole(&payload);
+    assert_eq!(names.profile_name[0].as_str(), Ok(""));
+    assert_eq!(names.profile_name[1].as_str(), Ok("Höhe"));
+    assert_eq!(whole::<WriteProfileNames>(&payload).0, names);
 }
 
 #[test]

@@ -1,0 +1,48 @@
+//! Commands of parameters whose payload is not published, or no longer used.
+
+use sbgc_proto_macros::message;
+
+use crate::commands::ProfileId;
+
+/// Asks for the parameters of a profile, in the layout of old boards.
+///
+/// Deprecated: [`ReadParams3`](super::ReadParams3) and its fellows replace it. What boards of 32 bits answer is not
+/// known.
+#[message(CMD_READ_PARAMS, outgoing, size = 1, answer = Params<'answer>)]
+pub struct ReadParams {
+    /// Which profile. Any number above 4 is the active one.
+    pub profile_id: ProfileId,
+}
+
+/// The parameters of a profile, in the layout of old boards.
+///
+/// Deprecated, and not published. A driver for boards of 8 bits reads 105 bytes: at first those of
+/// [`Params3`](super::Params3), up to `FOLLOW_OFFSET`.
+#[message(CMD_READ_PARAMS, incoming, form = "undocumented", size = 0..=255)]
+pub struct Params<'a> {
+    /// The bytes.
+    pub data: &'a [u8],
+}
+
+/// Writes the parameters of a profile, in the layout of old boards.
+///
+/// Deprecated, and not published. Confirmed by `CMD_CONFIRM`.
+#[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", size = 0..=255)]
+pub struct WriteParams<'a> {
+    /// The bytes.
+    pub data: &'a [u8],
+}
+
+/// A command of which only the id and the name are published.
+#[message(CMD_QUEUE_PARAMS_INFO_3, outgoing, form = "undocumented", size = 0..=255)]
+pub struct QueueParamsInfo3Request<'a> {
+    /// The bytes.
+    pub data: &'a [u8],
+}
+
+/// A message of which only the id and the name are published.
+#[message(CMD_QUEUE_PARAMS_INFO_3, incoming, form = "undocumented", size = 0..=255)]
+pub struct QueueParamsInfo3<'a> {
+    /// The bytes.
+    pub data: &'a [u8],
+}

@@ -1,0 +1,106 @@
+//! Profiles and sets of them: names, storing, resetting.
+
+use sbgc_proto_macros::{message, open_enum};
+
+use crate::commands::ProfileId;
+use crate::wire::{FixedText, Reserved};
+
+/// Asks for the names of the profiles.
+///
+/// The specification's heading calls it `CMD_READ_PROFILE_NAMES_3`; there is one command only.
+#[message(CMD_READ_PROFILE_NAMES, outgoing, size = 0, answer = ProfileNames)]
+pub struct ReadProfileNames {}
+
+/// The names of the profiles.
+#[message(CMD_READ_PROFILE_NAMES, incoming, size = 240)]
+pub struct ProfileNames {
+    /// The five names, in UTF-8.
+    pub profile_name: [FixedText<48>; 5],
+}
+
+/// Stores the names of the profiles in EEPROM.
+///
+/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it. The
+/// specification's heading calls it `CMD_WRITE_PROFILE_NAMES_3`; there is one command only.
+#[message(CMD_WRITE_PROFILE_NAMES, outgoing, size = 240)]
+pub struct WriteProfileNames(pub ProfileNames);
+
+/// Resets the parameters of a profile to those of the factory, or all of the EEPROM.
+///
+/// Whether the board confirms it is not settled: the vendor's library does not wait for it, another source lists
+/// `CMD_CONFIRM`.
+#[message(CMD_USE_DEFAULTS, outgoing, size = 1)]
+pub struct UseDefaults {
+    /// Which profile: [`ResetCurrent`](ProfileId::ResetCurrent) is the active one and
+    /// [`EraseEeprom`](ProfileId::EraseEeprom) erases everything. The vendor's example passes
+    /// [`Current`](ProfileId::Current), which the specification does not list for this command.
+    pub profile_id: ProfileId,
+}
+
+/// Saves, clears or loads a whole set of profiles, with simple calibrations.
+///
+/// Confirmed by `CMD_CONFIRM` on success.
+#[message(CMD_PROFILE_SET, outgoing, size = 10, since = "2.65")]
+pub struct ProfileSet {
+    /// Where the set is stored.
+    #[wire(range = 1..=6)]
+    pub slot: ProfileSetSlot,
+    /// What is done with it.
+    pub action: ProfileSetAction,
+    /// Kept.
+    pub reserved: Reserved<8>,
+}
+
+/// Where a set of profiles is stored. Spec: `PROFILE_SET_SLOT`.
+#[open_enum(u8)]
+pub enum ProfileSetSlot {
+    /// First.
+    #[wire(spec = "SLOT_1")]
+    Slot1 = 1,
+    /// Second.
+    #[wire(spec = "SLOT_2")]
+    Slot2 = 2,
+    /// Third.
+    #[wire(spec = "SLOT_3")]
+    Slot3 = 3,
+    /// Fourth.
+    #[wire(spec = "SLOT_4")]
+    Slot4 = 4,
+    /// Fifth.
+    #[wire(spec = "SLOT_5")]
+    Slot5 = 5,
+    /// The backup.
+    Backup = 6,
+}
+
+/// What is done with a set of profiles. Spec: `PROFILE_SET_ACTION`.
+#[open_enum(u8)]
+pub enum ProfileSetAction {
+    /// The present parameters, of all profiles, are saved to the slot.
+    #[wire(spec = "PROFILE_SET_ACTION_SAVE")]
+    Save = 1,
+    /// The slot is cleared.
+    #[wire(spec = "PROFILE_SET_ACTION_CLEAR")]
+    Clear = 2,
+    /// The parameters in the slot become the present ones.
+    #[wire(spec = "PROFILE_SET_ACTION_LOAD")]
+    Load = 3,
+}
+
+/// Brackets a series of blocks that are written, so that the board restarts once instead of after each.
+///
+/// Confirmed by `CMD_CONFIRM`. Newer firmware only.
+#[message(CMD_WRITE_PARAMS_SET, outgoing, size = 1, since = "2.70b4")]
+pub struct WriteParamsSet {
+    /// Whether the series begins or ends.
+    pub action: WriteParamsSetAction,
+}
+
+/// Whether a series of blocks that are written begins or ends. Spec: `WRITE_PARAMS_SET_ACTION`.
+#[open_enum(u8)]
+pub enum WriteParamsSetAction {
+    /// All blocks are written; the board may restart.
+    Finish = 0,
+    /// Blocks follow.
+    Start = 1,
+}

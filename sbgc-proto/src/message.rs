@@ -113,11 +113,11 @@ pub trait Message: Layout {
     /// Writes the whole frame to the front of `out` and returns it.
     ///
     /// ```
-    /// use sbgc_proto::commands::ReadParamsRequest;
+    /// use sbgc_proto::commands::ReadParams;
     /// use sbgc_proto::{Message, frame::Version};
     ///
     /// let mut buffer = [0; 64];
-    /// let frame = ReadParamsRequest { profile_id: 1.into() }.encode_frame(Version::V1, &mut buffer)?;
+    /// let frame = ReadParams { profile_id: 1.into() }.encode_frame(Version::V1, &mut buffer)?;
     /// assert_eq!(frame, [0x3E, 0x52, 0x01, 0x53, 0x01, 0x01]);
     /// # Ok::<(), sbgc_proto::EncodeError>(())
     /// ```

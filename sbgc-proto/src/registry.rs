@@ -133,7 +133,7 @@ macro_rules! commands {
         impl<'a> $enum<'a> {
             /// All messages of this direction, in the order in which their forms are tried.
             pub const ALL: &'static [crate::reflect::MessageInfo] = &[
-                $(crate::reflect::MessageInfo::of::<$ty>()),*
+                $(crate::reflect::MessageInfo::of::<$ty>(stringify!($ty))),*
             ];
 
             /// A message all of whose fields are zero or absent.

@@ -8,6 +8,8 @@ use crate::{CommandId, Direction, Message};
 /// One declared message.
 #[derive(Clone, Debug)]
 pub struct MessageInfo {
+    /// The name of its type in [`commands`](crate::commands).
+    pub type_name: &'static str,
     /// The command's id.
     pub id: CommandId,
     /// Which way it goes.
@@ -29,9 +31,10 @@ pub struct MessageInfo {
 }
 
 impl MessageInfo {
-    /// The description of `M`.
-    pub const fn of<M: Message + Describe>() -> Self {
+    /// The description of `M`, the type called `type_name`.
+    pub(crate) const fn of<M: Message + Describe>(type_name: &'static str) -> Self {
         MessageInfo {
+            type_name,
             id: M::ID,
             direction: M::DIRECTION,
             spec: M::SPEC,

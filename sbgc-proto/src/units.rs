@@ -191,6 +191,18 @@ quantities! {
         DEFAULT = 0;
     };
 
+    /// The lowest frequency of a test.
+    TestFrequencyFrom(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 10;
+
+    /// The highest frequency of a test.
+    TestFrequencyTo(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 2 / 1;
+
+    /// An angle to test at, in steps of 3 degrees.
+    TestAngle(i8): degrees / from_degrees / try_from_degrees -> f32, "deg", 3 / 1;
+
+    /// A margin of gain.
+    GainMargin(u8): decibels / from_decibels / try_from_decibels -> f32, "dB", 1 / 10;
+
     /// A jerk slope: the time in which an acceleration builds up. 0 leaves it as it is, 1 switches it off.
     JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1;
 

@@ -25,6 +25,7 @@ mod realtime;
 mod scripts;
 mod storage;
 mod system;
+mod tuning;
 
 pub use actions::*;
 pub use board::*;
@@ -39,3 +40,4 @@ pub use realtime::*;
 pub use scripts::*;
 pub use storage::*;
 pub use system::*;
+pub use tuning::*;

@@ -1,0 +1,88 @@
+//! Automatic tuning of the PID loops, first version.
+
+use sbgc_proto_macros::{message, open_enum, record};
+
+use crate::commands::{Confirm, ProfileId};
+use crate::wire::{Float, PerAxis, Reserved, flags};
+
+/// Starts or stops automatic tuning, in firmware that does not have the second version yet.
+///
+/// The gimbal moves. One `CMD_CONFIRM` comes at the start. While it runs, [`AutoPid`] tells the progress if
+/// [`AutoPidFlags::SEND_GUI`] is set. When it is done the board sends the parameters of the profile that was tuned, or
+/// of all profiles, without being asked (`CMD_READ_PARAMS_3` and the other blocks). No source says how long it takes.
+/// All zero stops it.
+///
+/// The specification has it replaced by [`AutoPid2Request`](crate::commands::AutoPid2Request) in firmware 2.70; newer
+/// sources say 2.73.
+#[message(CMD_AUTO_PID, outgoing, size = 19, answer = Confirm)]
+pub struct AutoPidRequest {
+    /// The profile to tune, the first to the fifth. The board goes to it before and saves the result there.
+    pub profile_id: ProfileId,
+    /// What to tune, and what to tell. None at all stops the tuning.
+    pub cfg_flags: AutoPidFlags,
+    /// 0 for stability, 255 for precise tracking.
+    pub gain_vs_stability: u8,
+    /// 0 to find it out, 1 for a light camera and strong motors, 255 for a heavy camera and weak motors.
+    pub momentum: u8,
+    /// What to do.
+    pub action: AutoPidAction,
+    pub reserved: Reserved<14>,
+}
+
+/// How automatic tuning, first version, is going.
+///
+/// Sources divide it differently; this is the reading of most of them, which also fits the specification's table.
+#[message(CMD_AUTO_PID, incoming, size = 57)]
+pub struct AutoPid {
+    /// Proportional gains.
+    pub p: PerAxis<u8>,
+    /// Integral gains.
+    pub i: PerAxis<u8>,
+    /// Derivative gains.
+    pub d: PerAxis<u8>,
+    /// Cut-off frequencies of the low-pass filters. The specification's table has lost their type.
+    pub lpf_freq: PerAxis<u16>,
+    /// How many rounds have been made.
+    pub iteration_cnt: u16,
+    /// How good each axis is.
+    pub axes: PerAxis<AutoPidError>,
+    pub reserved: Reserved<10>,
+}
+
+/// How good one axis is while it is tuned.
+#[record(size = 10)]
+#[derive(Copy)]
+pub struct AutoPidError {
+    /// Difference between the wanted and the actual response.
+    pub tracking_error: Float,
+    pub reserved: Reserved<6>,
+}
+
+flags! {
+    /// What automatic tuning, first version, tunes and tells; no flag at all stops it. Spec: `AUTO_PID_CFG`.
+    pub struct AutoPidFlags: u8 {
+        /// Tune roll.
+        const ROLL "AUTO_PID_CFG_ROLL" = 1 << 0;
+        /// Tune pitch.
+        const PITCH "AUTO_PID_CFG_PITCH" = 1 << 1;
+        /// Tune yaw.
+        const YAW "AUTO_PID_CFG_YAW" = 1 << 2;
+        /// Tell the progress.
+        const SEND_GUI "AUTO_PID_CFG_SEND_GUI" = 1 << 3;
+        /// Start from the present values.
+        const KEEP_CURRENT "AUTO_PID_CFG_KEEP_CURRENT" = 1 << 4;
+        /// Also tune the low-pass filter.
+        const TUNE_LPF_FREQ "AUTO_PID_CFG_TUNE_LPF_FREQ" = 1 << 5;
+        /// For all profiles.
+        const ALL_PROFILES "AUTO_PID_CFG_ALL_PROFILES" = 1 << 6;
+    }
+}
+
+/// What automatic tuning, first version, is to do. Spec: `AUTO_PID_ACTION`.
+///
+/// Only one value is known, and the specification gives it no name.
+#[open_enum(u8)]
+pub enum AutoPidAction {
+    /// Tune.
+    Start = 0,
+}

@@ -25,6 +25,11 @@ mod realtime;
 mod scripts;
 mod storage;
 mod system;
+mod ext_motors;
+mod params {
+    mod menu;
+    pub use menu::*;
+}
 
 pub use actions::*;
 pub use board::*;
@@ -34,6 +39,7 @@ pub use confirm::*;
 pub use control::*;
 pub use i2c::*;
 pub use imu::*;
+pub use ext_motors::*;
 pub use params::*;
 pub use realtime::*;
 pub use scripts::*;

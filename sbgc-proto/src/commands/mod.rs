@@ -15,6 +15,7 @@
 mod actions;
 mod board;
 mod calibration;
+mod can;
 mod common;
 mod confirm;
 mod control;
@@ -34,6 +35,7 @@ mod params {
 pub use actions::*;
 pub use board::*;
 pub use calibration::*;
+pub use can::*;
 pub use common::*;
 pub use confirm::*;
 pub use control::*;

@@ -148,6 +148,10 @@ quantities! {
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767;
 
+    /// A limit of the rate of turn in the steps of control commands.
+    ControlRateLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 4000 / 32767;
+
     /// A rate of turn as slow control commands have it: thousandths of a degree a second in 16 bits.
     FineControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 1 / 1000;
@@ -159,6 +163,18 @@ quantities! {
     /// A rate of turn in thousandths of a degree a second.
     FineRate(i32): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f64,
         "deg/s", 1 / 1000;
+
+    /// A rate of turn in millionths of a radian a second.
+    MicroRate(i32): radians_per_second / from_radians_per_second / try_from_radians_per_second -> f64,
+        "rad/s", 1 / 1_000_000;
+
+    /// The greatest speed of an auxiliary motor.
+    MotorSpeedLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 2 / 1;
+
+    /// The greatest acceleration of an auxiliary motor.
+    MotorAccelerationLimit(u16): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2
+        -> f32, "deg/s^2", 2 / 1;
 
     /// An acceleration as sensors have it.
     Acceleration(i16): g / from_g / try_from_g -> f32, "g", 1 / 512;
@@ -264,6 +280,9 @@ quantities! {
         /// The controller of the CAN family.
         CAN_MCU = 50;
     };
+
+    /// The version of a module on the CAN bus, 1.23 for raw 123.
+    ModuleVersion(u16): number / from_number / try_from_number -> f32, "", 1 / 100;
 
     /// A size of flash memory.
     FlashSize(u8): kibibytes / from_kibibytes / try_from_kibibytes -> f32, "KiB", 32 / 1;

@@ -15,6 +15,7 @@
 mod actions;
 mod board;
 mod calibration;
+mod can;
 mod common;
 mod confirm;
 mod control;
@@ -26,15 +27,22 @@ mod scripts;
 mod storage;
 mod system;
 mod tuning;
+mod ext_motors;
+mod params {
+    mod menu;
+    pub use menu::*;
+}
 
 pub use actions::*;
 pub use board::*;
 pub use calibration::*;
+pub use can::*;
 pub use common::*;
 pub use confirm::*;
 pub use control::*;
 pub use i2c::*;
 pub use imu::*;
+pub use ext_motors::*;
 pub use params::*;
 pub use realtime::*;
 pub use scripts::*;

@@ -1,4 +1,4 @@
-//! Restarting the board, into its firmware or into its bootloader.
+//! Restarting the board, into its firmware or into its bootloader, and giving up a port.
 
 use sbgc_proto_macros::message;
 
@@ -57,4 +57,15 @@ pub struct BootMode3Extended {
     /// Time between the notice and the bootloader, for the host to close the port.
     #[wire(unit = "ms")]
     pub delay_ms: u16,
+}
+
+/// Connects two serial ports of the board, which from then on carry anything and no longer this protocol.
+///
+/// Success is not answered, failure is with `CMD_ERROR`. Known from one source.
+#[message(CMD_SET_TRANSP_PROXY, outgoing, size = 2, since = "2.74.5")]
+pub struct SetTranspProxy {
+    /// One port: 0 for the one on which this comes, 1 and up for the others.
+    pub port1: u8,
+    /// The other port; it must not be the same.
+    pub port2: u8,
 }

@@ -43,6 +43,7 @@ fn restarts() {
     same(ResetExtendedRequest { flags: ResetFlags::CONFIRM, delay_ms: 500 }, &[1, 0xF4, 1]);
     same(ResetExtendedRequest { flags: ResetFlags::from_bits_retain(0x83), delay_ms: 0 }, &[0x83, 0, 0]);
     same(Reset {}, &[]);
+    same(SetTranspProxy { port1: 0, port2: 3 }, &[0, 3]);
     same(BootMode3 {}, &[]);
     same(BootMode3Extended { confirm: Switch::On, delay_ms: 0x0203 }, &[1, 3, 2]);
     assert_eq!(

@@ -1,12 +1,16 @@
-//! Moving the gimbal: control by axis, and how it is handled.
+//! Moving the gimbal: by axis, by quaternion, and how that is handled.
 
 mod config;
+mod extended;
+mod quaternion;
 #[cfg(test)]
 mod tests;
 
 use sbgc_proto_macros::{message, open_enum, record};
 
 pub use config::*;
+pub use extended::*;
+pub use quaternion::*;
 
 use crate::units::{Angle, CoarseRcSignal, ControlRate, FineControlRate, RcSignal};
 use crate::wire::{PerAxis, bit_enums, bit_fields};

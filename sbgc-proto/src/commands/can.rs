@@ -1,0 +1,300 @@
+//! Modules on the CAN bus: finding them, their versions, their firmware. Layouts are known from newer documents only.
+
+use sbgc_proto_macros::{message, open_enum, record};
+
+use crate::units::ModuleVersion;
+use crate::wire::{Bytes, List, Reserved, bit_enums, bit_fields};
+
+/// Looks for devices on the CAN bus. A board that refuses sends `CMD_ERROR`.
+#[message(CMD_CAN_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan)]
+pub struct CanDeviceScanRequest {}
+
+/// Looks for uDrv modules, finds their IMU and gives out ids. It changes which device does what.
+///
+/// Known from one source.
+#[message(CMD_UDRV_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan)]
+pub struct UdrvDeviceScan {}
+
+/// The devices that were found on the CAN bus.
+#[message(CMD_CAN_DEVICE_SCAN, incoming, size = 0..=252)]
+pub struct CanDeviceScan {
+    /// The devices; none when none answered.
+    pub devices: List<CanDevice, 18>,
+}
+
+/// A device on the CAN bus.
+#[record(size = 14)]
+#[derive(Copy)]
+pub struct CanDevice {
+    /// Its own number; no two are the same.
+    pub uid: Bytes<12>,
+    /// What it is used as.
+    pub id: CanDeviceId,
+    /// What it is.
+    #[wire(spec = "TYPE")]
+    pub device_type: CanDeviceTypeByte,
+}
+
+bit_fields! {
+    /// What a device on the CAN bus is, and where its id comes from.
+    pub struct CanDeviceTypeByte: u8 {
+        /// What it is.
+        0..=6 => kind / with_kind "CAN_DEVICE_TYPE": CanDeviceType,
+        /// Its id is set in hardware.
+        7..=7 => hardware_id / with_hardware_id "HARDWARE_ID": bool,
+    }
+}
+
+/// What a device on the CAN bus is. Spec: `CAN_DEVICE_TYPE`.
+#[open_enum(u8)]
+pub enum CanDeviceType {
+    /// A motor driver.
+    MotorDriver = 1,
+    /// An inertial measurement unit.
+    Imu = 2,
+}
+bit_enums!(CanDeviceType);
+
+/// What a device on the CAN bus is used as. Spec: `CAN_DEVICE_ID`.
+///
+/// These are not the numbers of [`CanModuleId`].
+#[open_enum(u8)]
+pub enum CanDeviceId {
+    /// Nothing yet.
+    NotAssigned = 0,
+    /// Main IMU.
+    #[wire(spec = "CAN_IMU_MAIN")]
+    ImuMain = 5,
+    /// Frame IMU.
+    #[wire(spec = "CAN_IMU_FRAME")]
+    ImuFrame = 6,
+    /// GPS_IMU as main IMU.
+    #[wire(spec = "GPS_IMU_MAIN")]
+    GpsImuMain = 7,
+    /// Motor driver 1.
+    #[wire(spec = "CAN_DRV1")]
+    Drv1 = 17,
+    /// Motor driver 2.
+    #[wire(spec = "CAN_DRV2")]
+    Drv2 = 18,
+    /// Motor driver 3.
+    #[wire(spec = "CAN_DRV3")]
+    Drv3 = 19,
+    /// Motor driver 4.
+    #[wire(spec = "CAN_DRV4")]
+    Drv4 = 20,
+    /// Motor driver 5.
+    #[wire(spec = "CAN_DRV5")]
+    Drv5 = 21,
+    /// Motor driver 6.
+    #[wire(spec = "CAN_DRV6")]
+    Drv6 = 22,
+    /// Motor driver 7.
+    #[wire(spec = "CAN_DRV7")]
+    Drv7 = 23,
+    /// Main IMU, of an older kind.
+    #[wire(spec = "CAN_IMU_MAIN_OLD")]
+    ImuMainOld = 28,
+    /// Frame IMU, of an older kind.
+    #[wire(spec = "CAN_IMU_FRAME_OLD")]
+    ImuFrameOld = 29,
+}
+
+/// Asks for the versions of the modules on the CAN bus.
+///
+/// The board must have [`BoardFeatures::CAN_PORT`](crate::commands::BoardFeatures::CAN_PORT).
+#[message(CMD_MODULE_LIST, outgoing, size = 0, answer = ModuleList)]
+pub struct ModuleListRequest {}
+
+/// The versions of the modules on the CAN bus.
+#[message(CMD_MODULE_LIST, incoming, size = 1..=248)]
+pub struct ModuleList {
+    /// The modules; those with id 0 are none.
+    #[wire(counted_by = "DEVICE_NUM")]
+    pub devices: List<CanModule, 19>,
+}
+
+/// A module on the CAN bus.
+#[record(size = 13)]
+#[derive(Copy)]
+pub struct CanModule {
+    /// Which module.
+    pub id: CanModuleId,
+    /// Version of its hardware.
+    pub board_ver: ModuleVersion,
+    /// Version of its bootloader.
+    pub bootloader_ver: ModuleVersion,
+    /// Version of its firmware.
+    pub firmware_ver: ModuleVersion,
+    /// Kept as it came; zero in a new message.
+    pub reserved: Reserved<6>,
+}
+
+/// A module on the CAN bus, by its place in the list of modules. Spec: `CAN_MODULE_ID`.
+///
+/// Ids up to 17 are accepted; those after 13 have no names.
+#[open_enum(u8)]
+pub enum CanModuleId {
+    /// Main IMU.
+    #[wire(spec = "CAN_IMU_MAIN")]
+    ImuMain = 1,
+    /// Frame IMU.
+    #[wire(spec = "CAN_IMU_FRAME")]
+    ImuFrame = 2,
+    /// Motor driver 1.
+    #[wire(spec = "CAN_DRV1")]
+    Drv1 = 3,
+    /// Motor driver 2.
+    #[wire(spec = "CAN_DRV2")]
+    Drv2 = 4,
+    /// Motor driver 3.
+    #[wire(spec = "CAN_DRV3")]
+    Drv3 = 5,
+    /// Motor driver 4.
+    #[wire(spec = "CAN_DRV4")]
+    Drv4 = 6,
+    /// Motor driver 5.
+    #[wire(spec = "CAN_DRV5")]
+    Drv5 = 7,
+    /// Motor driver 6.
+    #[wire(spec = "CAN_DRV6")]
+    Drv6 = 8,
+    /// Motor driver 7.
+    #[wire(spec = "CAN_DRV7")]
+    Drv7 = 9,
+    /// GPS_IMU.
+    #[wire(spec = "GPS_IMU")]
+    GpsImu = 10,
+    /// Hub with satellite navigation.
+    #[wire(spec = "CAN_HUB_GNSS")]
+    HubGnss = 11,
+    /// Hub 1.
+    #[wire(spec = "CAN_HUB1")]
+    Hub1 = 12,
+    /// Hub 2.
+    #[wire(spec = "CAN_HUB2")]
+    Hub2 = 13,
+}
+
+/// Starts to write the firmware of a module. Known from one source.
+#[message(CMD_MODULE_FLASH_START, outgoing, size = 5)]
+pub struct ModuleFlashStart {
+    /// Which module.
+    #[wire(range = 1..=17)]
+    pub device_id: CanModuleId,
+    /// Size of the firmware in words of 32 bits.
+    pub firmware_size: u32,
+}
+
+/// Writes a piece of the firmware of a module. Known from one source.
+///
+/// Wait for the confirmation of each. The data of an error has the device and the packet, 2 bytes each.
+#[message(CMD_MODULE_FLASH_WRITE, outgoing, size = 14..=138)]
+pub struct ModuleFlashWrite<'a> {
+    /// Which module.
+    #[wire(range = 1..=17)]
+    pub device_id: CanModuleId,
+    /// Number of the piece: from 0 on, and 0 again after 255.
+    pub packet_id: u8,
+    /// Where in the file it stands, a multiple of 4.
+    #[wire(unit = "byte")]
+    pub address: u32,
+    /// CRC-32 of the data, that of ISO-HDLC.
+    pub data_crc32: u32,
+    /// The piece: 4 to 128 bytes, a multiple of 4.
+    pub data: &'a [u8],
+}
+
+/// Ends writing the firmware of a module. Known from one source.
+#[message(CMD_MODULE_FLASH_FINISH, outgoing, size = 5)]
+pub struct ModuleFlashFinish {
+    /// Which module.
+    #[wire(range = 1..=17)]
+    pub device_id: CanModuleId,
+    /// CRC-32 of the whole file, that of ISO-HDLC.
+    pub file_crc32: u32,
+}
+
+macro_rules! raw {
+    ($($(#[doc = $doc:literal])+ $name:ident($command:ident, $direction:ident))*) => { $(
+        $(#[doc = $doc])+
+        #[message($command, $direction, size = 0..=255)]
+        #[derive(Copy)]
+        pub struct $name<'a> {
+            /// The payload.
+            pub data: &'a [u8],
+        }
+    )* };
+}
+
+// Which way these go is not published either, so both are there.
+raw! {
+    /// To the board, about hardware parameters of a CAN driver. The payload is not published.
+    CanDrvHardParamsRequest(CMD_CAN_DRV_HARD_PARAMS, outgoing)
+    /// From the board, about hardware parameters of a CAN driver. The payload is not published.
+    CanDrvHardParams(CMD_CAN_DRV_HARD_PARAMS, incoming)
+    /// To the board, about the state of a CAN driver. The payload is not published.
+    CanDrvStateRequest(CMD_CAN_DRV_STATE, outgoing)
+    /// From the board, about the state of a CAN driver. The payload is not published.
+    CanDrvState(CMD_CAN_DRV_STATE, incoming)
+    /// To the board, about the calibration of a CAN driver. The payload is not published.
+    CanDrvCalibrateRequest(CMD_CAN_DRV_CALIBRATE, outgoing)
+    /// From the board, about the calibration of a CAN driver. The payload is not published.
+    CanDrvCalibrate(CMD_CAN_DRV_CALIBRATE, incoming)
+    /// To the board, about the address of a device. The payload is not published.
+    SetDeviceAddrRequest(CMD_SET_DEVICE_ADDR, outgoing)
+    /// From the board, about the address of a device. The payload is not published.
+    SetDeviceAddr(CMD_SET_DEVICE_ADDR, incoming)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Message;
+
+    /// Made by hand from the layout.
+    #[test]
+    fn scans_find_any_number() {
+        let device = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 17, 0x81];
+        let other = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 99, 0x7F];
+        let payload = [device, other].concat();
+        let scan = CanDeviceScan::decode(&payload).unwrap();
+        assert_eq!(scan.devices[0].id, CanDeviceId::Drv1);
+        assert_eq!(scan.devices[0].device_type.kind(), CanDeviceType::MotorDriver);
+        assert!(scan.devices[0].device_type.hardware_id());
+        assert_eq!(scan.devices[1].device_type.kind(), CanDeviceType::Unknown(0x7F));
+        assert_eq!(scan.encode(&mut [0; 255]), Ok(&payload[..]));
+        assert_eq!(CanDeviceScan::decode(&[]).unwrap().devices.len(), 0);
+        assert_eq!(CanDeviceScan::decode(&[0xFF; 252]).unwrap().devices.len(), 18);
+        assert_eq!(CanDeviceScan::decode_prefix(&payload[..27]).unwrap().1, &other[..13]);
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn modules_are_counted() {
+        let payload = [1, 4, 0x2C, 1, 0x65, 0, 0x0A, 0, 1, 2, 3, 4, 5, 6];
+        let list = ModuleList::decode(&payload).unwrap();
+        let module = list.devices[0];
+        assert_eq!(module.id, CanModuleId::Drv2);
+        assert!((module.board_ver.number() - 3.0).abs() < 1e-6);
+        assert!((module.bootloader_ver.number() - 1.01).abs() < 1e-6);
+        assert_eq!(module.reserved.0, [1, 2, 3, 4, 5, 6]);
+        assert_eq!(list.encode(&mut [0; 255]), Ok(&payload[..]));
+        assert!(ModuleList::decode(&payload[..13]).is_err());
+        assert!(ModuleList::decode(&[20]).is_err());
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn firmware_goes_in_pieces() {
+        let start = ModuleFlashStart { device_id: CanModuleId::ImuMain, firmware_size: 0x0102_0304 };
+        assert_eq!(start.encode(&mut [0; 5]), Ok(&[1, 4, 3, 2, 1][..]));
+        let payload = [3, 255, 0, 1, 0, 0, 0xEF, 0xBE, 0xAD, 0xDE, 9, 8, 7, 6];
+        let write = ModuleFlashWrite::decode(&payload).unwrap();
+        assert_eq!((write.packet_id, write.address, write.data_crc32), (255, 256, 0xDEAD_BEEF));
+        assert_eq!(write.data, [9, 8, 7, 6]);
+        assert_eq!(write.encode(&mut [0; 255]), Ok(&payload[..]));
+        let finish = ModuleFlashFinish { device_id: CanModuleId::Unknown(17), file_crc32: 5 };
+        assert_eq!(finish.encode(&mut [0; 5]), Ok(&[17, 5, 0, 0, 0][..]));
+    }
+}

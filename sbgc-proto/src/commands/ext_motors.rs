@@ -1,0 +1,409 @@
+//! Auxiliary motors: up to seven besides those of the gimbal. All of it is known from newer documents only.
+
+use sbgc_proto_macros::{message, open_enum, record};
+
+use crate::units::{Angle, ControlRate, FineAngle, MicroRate, MotorAccelerationLimit, MotorSpeedLimit};
+use crate::wire::{List, bit_enums, bit_fields, flags};
+
+flags! {
+    /// Auxiliary motors, and whether a command to them is confirmed. Spec: `EXT_MOTORS`.
+    pub struct ExtMotors: u8 {
+        /// Motor 1.
+        const MOTOR1 = 1 << 0;
+        /// Motor 2.
+        const MOTOR2 = 1 << 1;
+        /// Motor 3.
+        const MOTOR3 = 1 << 2;
+        /// Motor 4.
+        const MOTOR4 = 1 << 3;
+        /// Motor 5.
+        const MOTOR5 = 1 << 4;
+        /// Motor 6.
+        const MOTOR6 = 1 << 5;
+        /// Motor 7.
+        const MOTOR7 = 1 << 6;
+        /// The command is confirmed. Without meaning where the state is asked for.
+        const CONFIRM = 1 << 7;
+    }
+}
+
+impl ExtMotors {
+    /// How many motors these are.
+    pub const fn count(self) -> usize {
+        // At most 7.
+        (self.bits() & !Self::CONFIRM.bits()).count_ones() as usize
+    }
+}
+
+/// Makes auxiliary motors do something.
+///
+/// It is confirmed with [`ExtMotors::CONFIRM`].
+#[message(CMD_EXT_MOTORS_ACTION, outgoing, size = 2..=255, since = "2.73.0")]
+pub struct ExtMotorsAction<'a> {
+    /// Which motors.
+    pub for_motors: ExtMotors,
+    /// What they do.
+    pub action: ExtMotorAction,
+    /// Arguments of the action; none is known to have any.
+    pub args: &'a [u8],
+}
+
+/// What an auxiliary motor does. Spec: `EXT_MOTOR_ACTION`.
+#[open_enum(u8)]
+pub enum ExtMotorAction {
+    /// Off, and turns freely.
+    #[wire(spec = "MOTOR_OFF_FLOATING")]
+    OffFloating = 1,
+    /// Off, and is braked.
+    #[wire(spec = "MOTOR_OFF_BRAKE")]
+    OffBrake = 2,
+    /// Comes to rest with less and less power, then off.
+    #[wire(spec = "MOTOR_OFF_SAFE")]
+    OffSafe = 3,
+    /// On.
+    #[wire(spec = "MOTOR_ON")]
+    On = 4,
+    /// Goes to the home position.
+    HomePosition = 5,
+    /// Looks for the home position.
+    SearchHome = 6,
+}
+
+/// Gives set-points to auxiliary motors.
+///
+/// It is confirmed with [`ExtMotors::CONFIRM`]. Sources differ in the number of set-points: one for each chosen motor is
+/// taken here, others send three or seven copies of one. With one motor a message all boards understand the same.
+#[message(CMD_EXT_MOTORS_CONTROL, outgoing, size = 2..=58, since = "2.73.0")]
+pub struct ExtMotorsControl {
+    /// Which motors.
+    pub for_motors: ExtMotors,
+    /// What there is for each.
+    pub data_set: ExtMotorsControlDataSet,
+    /// The set-points, lowest motor first.
+    #[wire(count = for_motors.count(), context = *data_set)]
+    pub motors: List<ExtMotorSetpoint, 7>,
+}
+
+/// The set-point of one motor. What its numbers mean is for the motor's [`ExtMotorControlMode`] to say.
+#[record(context(set: ExtMotorsControlDataSet))]
+#[derive(Copy)]
+pub struct ExtMotorSetpoint {
+    /// Torque, 32767 for the greatest; or speed, in steps of [`ControlRate`]; or position, in steps of [`Angle`].
+    ///
+    /// A position that goes on after a turn is followed by the board.
+    #[wire(when = !set.contains(ExtMotorsControlDataSet::SETPOINT_32BIT))]
+    pub setpoint: Option<i16>,
+    /// Speed or position in 4 bytes, not torque; the steps are other ones and not published.
+    #[wire(spec = "SETPOINT", when = set.contains(ExtMotorsControlDataSet::SETPOINT_32BIT))]
+    pub setpoint_32bit: Option<i32>,
+    /// For speed the angle in place of the computed one, for position the greatest speed.
+    #[wire(when = set.contains(ExtMotorsControlDataSet::PARAM1_16BIT))]
+    pub param1: Option<i16>,
+    /// The same in 4 bytes.
+    #[wire(spec = "PARAM1", when = set.has_long_param1())]
+    pub param1_32bit: Option<i32>,
+}
+
+flags! {
+    /// What a set-point consists of. Spec: `EXT_MOTORS_CONTROL_DATA_SET`.
+    pub struct ExtMotorsControlDataSet: u8 {
+        /// The set-point has 4 bytes, not 2.
+        const SETPOINT_32BIT = 1 << 0;
+        /// There is a parameter of 2 bytes.
+        const PARAM1_16BIT = 1 << 1;
+        /// There is a parameter of 4 bytes. It should not be set together with that of 2, which is taken then.
+        const PARAM1_32BIT = 1 << 2;
+    }
+}
+
+impl ExtMotorsControlDataSet {
+    /// Whether there is a parameter of 4 bytes: its bit is set, and not that of the short one.
+    pub fn has_long_param1(self) -> bool {
+        self.contains(Self::PARAM1_32BIT) && !self.contains(Self::PARAM1_16BIT)
+    }
+}
+
+/// Sets how auxiliary motors are controlled, until the next restart.
+///
+/// It is confirmed with [`ExtMotors::CONFIRM`].
+#[message(CMD_EXT_MOTORS_CONTROL_CONFIG, outgoing, size = 3..=12, since = "2.73.0")]
+#[derive(Copy)]
+pub struct ExtMotorsControlConfig {
+    /// Which motors.
+    pub for_motors: ExtMotors,
+    /// What follows.
+    pub data_set: ExtMotorsControlConfigDataSet,
+    /// What is controlled.
+    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MODE))]
+    pub mode: Option<ExtMotorControlMode>,
+    /// Greatest speed.
+    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MAX_SPEED))]
+    pub max_speed: Option<MotorSpeedLimit>,
+    /// Greatest acceleration, for speed and position.
+    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MAX_ACCELERATION))]
+    pub max_acceleration: Option<MotorAccelerationLimit>,
+    /// Time in which an acceleration builds up, for speed and position.
+    #[wire(unit = "ms", when = data_set.contains(ExtMotorsControlConfigDataSet::JERK_SLOPE))]
+    pub jerk_slope: Option<u16>,
+    /// Greatest torque, relative to the greatest that the motor has.
+    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MAX_TORQUE))]
+    pub max_torque: Option<u16>,
+}
+
+flags! {
+    /// Settings of auxiliary motors. Spec: `EXT_MOTORS_CONTROL_CONFIG_DATA_SET`.
+    pub struct ExtMotorsControlConfigDataSet: u16 {
+        /// What is controlled.
+        const MODE = 1 << 0;
+        /// Greatest speed.
+        const MAX_SPEED = 1 << 1;
+        /// Greatest acceleration.
+        const MAX_ACCELERATION = 1 << 2;
+        /// Time in which an acceleration builds up.
+        const JERK_SLOPE = 1 << 3;
+        /// Greatest torque.
+        const MAX_TORQUE = 1 << 4;
+    }
+}
+
+/// What of an auxiliary motor is controlled. Spec: `EXT_MOTOR_CONTROL_MODE`.
+#[open_enum(u8)]
+pub enum ExtMotorControlMode {
+    /// Its position.
+    Position = 0,
+    /// Its speed.
+    Speed = 1,
+    /// Its torque.
+    Torque = 2,
+}
+
+/// Asks for the state of auxiliary motors: each chosen motor answers with a message of its own.
+#[message(CMD_EXT_MOTORS_STATE, outgoing, size = 5, since = "2.73.0", answer = ExtMotorsState)]
+#[derive(Copy)]
+pub struct ExtMotorsStateRequest {
+    /// Which motors.
+    pub for_motors: ExtMotors,
+    /// What is asked for.
+    pub data_set: ExtMotorsStateDataSet,
+}
+
+/// The state of one auxiliary motor.
+///
+/// It can be had as a data stream; the configuration of that is the payload of [`ExtMotorsStateRequest`].
+#[message(CMD_EXT_MOTORS_STATE, incoming, size = 5..=50, since = "2.73.0")]
+#[derive(Copy)]
+pub struct ExtMotorsState {
+    /// Which motor, counted from 0.
+    #[wire(range = 0..=6)]
+    pub motor_id: u8,
+    /// What follows.
+    pub data_set: ExtMotorsStateDataSet,
+    /// What is controlled.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::CONTROL_MODE))]
+    pub control_mode: Option<ExtMotorControlMode>,
+    /// Torque, 32767 for the greatest of the driver.
+    #[wire(range = -32767..=32767, when = data_set.contains(ExtMotorsStateDataSet::TORQUE))]
+    pub torque: Option<i16>,
+    /// Torque that is asked for, 32767 for the greatest of the driver.
+    #[wire(range = -32767..=32767, when = data_set.contains(ExtMotorsStateDataSet::TORQUE_SETPOINT))]
+    pub torque_setpoint: Option<i16>,
+    /// Speed.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED16))]
+    pub speed16: Option<ControlRate>,
+    /// Speed that is asked for.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED16_SETPOINT))]
+    pub speed16_setpoint: Option<ControlRate>,
+    /// Speed in fine steps.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED32))]
+    pub speed32: Option<MicroRate>,
+    /// Speed that is asked for, in fine steps.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED32_SETPOINT))]
+    pub speed32_setpoint: Option<MicroRate>,
+    /// Position.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE16))]
+    pub angle16: Option<Angle>,
+    /// Position that is asked for.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE16_SETPOINT))]
+    pub angle16_setpoint: Option<Angle>,
+    /// Position in fine steps.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE32))]
+    pub angle32: Option<FineAngle>,
+    /// Position that is asked for, in fine steps.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE32_SETPOINT))]
+    pub angle32_setpoint: Option<FineAngle>,
+    /// Whether it is on, and its pins.
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::STATE_FLAGS))]
+    pub state_flags: Option<ExtMotorStateFlags>,
+    /// Greatest speed. The unit is not given here; see [`ExtMotorsControlConfig::max_speed`].
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::MAX_SPEED))]
+    pub max_speed: Option<u16>,
+    /// Greatest acceleration. The unit is not given here; see [`ExtMotorsControlConfig::max_acceleration`].
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::MAX_ACCELERATION))]
+    pub max_acceleration: Option<u16>,
+    /// Time in which an acceleration builds up. The unit is not given here; see
+    /// [`ExtMotorsControlConfig::jerk_slope`].
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::JERK_SLOPE))]
+    pub jerk_slope: Option<u16>,
+    /// Greatest torque. The unit is not given here; see [`ExtMotorsControlConfig::max_torque`].
+    #[wire(when = data_set.contains(ExtMotorsStateDataSet::MAX_TORQUE))]
+    pub max_torque: Option<u16>,
+    /// Current.
+    #[wire(unit = "mA", when = data_set.contains(ExtMotorsStateDataSet::CURRENT))]
+    pub current: Option<u16>,
+    /// Voltage of the battery.
+    #[wire(unit = "mV", when = data_set.contains(ExtMotorsStateDataSet::BATTERY_VOLTAGE))]
+    pub battery_voltage: Option<u16>,
+    /// Temperature of the motor.
+    #[wire(unit = "degC", when = data_set.contains(ExtMotorsStateDataSet::MOTOR_TEMPERATURE))]
+    pub motor_temperature: Option<i8>,
+    /// Temperature of the driver.
+    #[wire(unit = "degC", when = data_set.contains(ExtMotorsStateDataSet::DRIVER_TEMPERATURE))]
+    pub driver_temperature: Option<i8>,
+}
+
+flags! {
+    /// Parts of the state of an auxiliary motor. Spec: `EXT_MOTORS_STATE_DATA_SET`.
+    pub struct ExtMotorsStateDataSet: u32 {
+        /// What is controlled.
+        const CONTROL_MODE = 1 << 0;
+        /// Torque.
+        const TORQUE = 1 << 1;
+        /// Torque that is asked for.
+        const TORQUE_SETPOINT = 1 << 2;
+        /// Speed.
+        const SPEED16 = 1 << 3;
+        /// Speed that is asked for.
+        const SPEED16_SETPOINT = 1 << 4;
+        /// Speed in fine steps.
+        const SPEED32 = 1 << 5;
+        /// Speed that is asked for, in fine steps.
+        const SPEED32_SETPOINT = 1 << 6;
+        /// Position.
+        const ANGLE16 = 1 << 7;
+        /// Position that is asked for.
+        const ANGLE16_SETPOINT = 1 << 8;
+        /// Position in fine steps.
+        const ANGLE32 = 1 << 9;
+        /// Position that is asked for, in fine steps.
+        const ANGLE32_SETPOINT = 1 << 10;
+        /// Whether it is on, and its pins.
+        const STATE_FLAGS = 1 << 11;
+        /// Greatest speed.
+        const MAX_SPEED = 1 << 12;
+        /// Greatest acceleration.
+        const MAX_ACCELERATION = 1 << 13;
+        /// Time in which an acceleration builds up.
+        const JERK_SLOPE = 1 << 14;
+        /// Greatest torque.
+        const MAX_TORQUE = 1 << 15;
+        /// Current.
+        const CURRENT = 1 << 16;
+        /// Voltage of the battery.
+        const BATTERY_VOLTAGE = 1 << 17;
+        /// Temperature of the motor.
+        const MOTOR_TEMPERATURE = 1 << 18;
+        /// Temperature of the driver.
+        const DRIVER_TEMPERATURE = 1 << 19;
+    }
+}
+
+bit_fields! {
+    /// Whether an auxiliary motor is on, and its pins. Spec: `EXT_MOTOR_STATE_FLAG`.
+    pub struct ExtMotorStateFlags: u16 {
+        /// Whether it is on, or how it is off.
+        0..=1 => power / with_power "MOTOR_STATE": ExtMotorPower,
+        /// The level of the index pin.
+        2..=2 => index_pin / with_index_pin "INDEX_PIN_STATE": bool,
+    }
+}
+
+/// Whether an auxiliary motor is on, or how it is off: bits 0 and 1 of its state.
+#[open_enum(u8)]
+pub enum ExtMotorPower {
+    /// Off and braked.
+    OffBrake = 0,
+    /// On.
+    On = 1,
+    /// Off, turns freely.
+    OffFloating = 2,
+    /// Coming to rest.
+    OffSafeStop = 3,
+}
+bit_enums!(ExtMotorPower);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::ToWire;
+    use crate::{EncodeError, Message};
+
+    fn bytes<M: Message + ToWire>(message: &M) -> Vec<u8> {
+        message.encode(&mut [0; 255]).unwrap().to_vec()
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn actions_keep_their_arguments() {
+        let payload = [0x81, 6, 1, 2];
+        let action = ExtMotorsAction::decode(&payload).unwrap();
+        assert_eq!(action.for_motors, ExtMotors::MOTOR1 | ExtMotors::CONFIRM);
+        assert_eq!((action.action, action.args), (ExtMotorAction::SearchHome, &[1, 2][..]));
+        assert_eq!(bytes(&action), payload);
+    }
+
+    /// Made by hand from the layout: every width of both numbers.
+    #[test]
+    fn each_chosen_motor_has_a_setpoint() {
+        let payload = [0xC1, 0, 1, 2, 0xFE, 0xFF];
+        let control = ExtMotorsControl::decode(&payload).unwrap();
+        assert_eq!(control.motors.len(), 2);
+        assert_eq!(control.motors[1].setpoint, Some(-2));
+        assert_eq!(bytes(&control), payload);
+
+        for (set, size) in [(0, 2), (1, 4), (2, 4), (3, 6), (4, 6), (5, 8), (6, 4), (7, 6), (0xF8, 2)] {
+            let payload = [&[0xFF, set][..], &[7; 56][..7 * size]].concat();
+            let (control, rest) = ExtMotorsControl::decode_prefix(&payload).unwrap();
+            assert!(rest.is_empty());
+            assert_eq!(control.motors.len(), 7);
+            assert_eq!(bytes(&control), payload);
+            assert!(ExtMotorsControl::decode(&payload[..payload.len() - 1]).is_err());
+        }
+
+        let none = ExtMotorsControl { for_motors: ExtMotors::MOTOR3, ..ExtMotorsControl::default() };
+        let error = EncodeError::Count { field: "MOTORS", expected: 1, got: 0 };
+        assert_eq!(none.encode(&mut [0; 9]), Err(error));
+        assert_eq!(bytes(&ExtMotorsControl::default()), [0, 0]);
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn config_has_what_its_set_says() {
+        let payload = [2, 0x0D, 0x80, 9, 5, 0, 100, 0];
+        let config = ExtMotorsControlConfig::decode(&payload).unwrap();
+        assert_eq!(config.mode, Some(ExtMotorControlMode::Unknown(9)));
+        assert_eq!(config.max_speed, None);
+        assert_eq!(config.max_acceleration, Some(MotorAccelerationLimit::from_degrees_per_second2(10.0)));
+        assert_eq!(config.jerk_slope, Some(100));
+        assert_eq!(bytes(&config), payload);
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn state_has_what_its_set_says() {
+        let payload = [6, 0x21, 8, 8, 0x80, 2, 0x40, 0x42, 0x0F, 0, 7, 0xFF, 0xEC];
+        let state = ExtMotorsState::decode(&payload).unwrap();
+        assert_eq!(state.control_mode, Some(ExtMotorControlMode::Torque));
+        assert!((state.speed32.unwrap().radians_per_second() - 1.0).abs() < 1e-9);
+        let flags = state.state_flags.unwrap();
+        assert_eq!((flags.power(), flags.index_pin(), flags.0), (ExtMotorPower::OffSafeStop, true, 0xFF07));
+        assert_eq!(state.driver_temperature, Some(-20));
+        assert_eq!(bytes(&state), payload);
+
+        let all = [&[0, 0xFF, 0xFF, 0x0F, 0][..], &[0xA5; 45]].concat();
+        let (state, rest) = ExtMotorsState::decode_prefix(&all).unwrap();
+        assert!(rest.is_empty());
+        assert_eq!(bytes(&state), all);
+        assert!(ExtMotorsState::decode(&all[..49]).is_err());
+        assert_eq!(bytes(&ExtMotorsStateRequest::decode(&all).unwrap()), [0, 0xFF, 0xFF, 0x0F, 0]);
+    }
+}

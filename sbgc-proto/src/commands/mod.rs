@@ -11,6 +11,7 @@
 //! have the spec's names in lower case. What a number means is in its type: quantities of [`units`](crate::units), open
 //! enumerations, flag sets and bit fields; only plain numbers have a `unit` or `range` of their own. Reserved bytes are
 //! [`Reserved`](crate::wire::Reserved); those that newer firmware has put to use are typed fields with a `since`.
+//!
 
 mod actions;
 mod board;
@@ -19,6 +20,7 @@ mod can;
 mod common;
 mod confirm;
 mod control;
+mod ext_motors;
 mod i2c;
 mod imu;
 mod params;
@@ -27,11 +29,6 @@ mod scripts;
 mod storage;
 mod system;
 mod tuning;
-mod ext_motors;
-mod params {
-    mod menu;
-    pub use menu::*;
-}
 
 pub use actions::*;
 pub use board::*;
@@ -40,9 +37,9 @@ pub use can::*;
 pub use common::*;
 pub use confirm::*;
 pub use control::*;
+pub use ext_motors::*;
 pub use i2c::*;
 pub use imu::*;
-pub use ext_motors::*;
 pub use params::*;
 pub use realtime::*;
 pub use scripts::*;

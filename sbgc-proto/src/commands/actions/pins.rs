@@ -3,7 +3,7 @@
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::units::ServoTime;
-use crate::wire::{List, flags};
+use crate::wire::{List, bit_enums, flags};
 
 /// Drives a pin.
 ///
@@ -124,6 +124,7 @@ pub enum TriggerPinId {
     #[wire(spec = "CAN_IMU_FRAME_AUX2")]
     CanImuFrameAux2 = 89,
 }
+bit_enums!(TriggerPinId);
 
 /// What is done with a pin. Spec: `TRIGGER_PIN_STATE`.
 #[open_enum(u8)]

@@ -3,6 +3,7 @@
 use sbgc_proto_macros::open_enum;
 
 use super::{MenuCommand, SerialSpeed};
+use crate::commands::TriggerPinId;
 use crate::wire::{bit_enums, bit_fields};
 
 bit_fields! {
@@ -190,8 +191,8 @@ bit_fields! {
     ///
     /// The pin has five bits: the buzzer and the power of the Spektrum connector cannot be said.
     pub struct InterruptConfig: u16 {
-        /// The pin's number, as `CMD_TRIGGER_PIN` has it; 0 is none.
-        0..=4 => pin / with_pin "PIN": u8,
+        /// The pin; 0 is none.
+        0..=4 => pin / with_pin "PIN": TriggerPinId,
         /// Whether an emergency stop signals.
         5..=5 => on_emergency_stop / with_on_emergency_stop "ON_EMERGENCY_STOP": bool,
         /// Whether reaching the parking position signals.

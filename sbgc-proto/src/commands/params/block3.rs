@@ -7,7 +7,7 @@ use super::{
     GeneralFlags1, I2cSpeed, MenuCommand, MotorOutput, OrderOfAxes, PidTerm, ProfileFlags1, PwmFrequency,
     RcAxisMode, RcVirtMode, SerialSpeed, SkipGyroCalib, SpektrumMode,
 };
-use crate::commands::{ImuType, ProfileId, RcSource, Switch};
+use crate::commands::{Confirm, ImuType, ProfileId, RcSource, Switch};
 use crate::units::{AccelerationLimit, Angle, GyroDeadband, ServoRate, VoltageThreshold};
 use crate::wire::PerAxis;
 
@@ -20,9 +20,9 @@ pub struct ReadParams3 {
 
 /// Writes the first block of a profile's parameters and saves it to EEPROM.
 ///
-/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it. Some changes
+/// The specification is silent on the answer; the vendor's library waits for it. Some changes
 /// make the board restart about a second after the last block was written.
-#[message(CMD_WRITE_PARAMS_3, outgoing, size = 134)]
+#[message(CMD_WRITE_PARAMS_3, outgoing, size = 134, answer = Confirm)]
 pub struct WriteParams3(pub Params3);
 
 /// The first block of a profile's parameters.

@@ -3,7 +3,7 @@
 use sbgc_proto_macros::{message, record};
 
 use super::{AxisOrientation, EncoderConfig, EncoderSelection, FiltersEnabled};
-use crate::commands::ProfileId;
+use crate::commands::{Confirm, ProfileId};
 use crate::units::{
     Angle, CoarseAngle, FastFilterFrequency, GearRatio, Gearing, NotchFrequency, ShortTime,
     SlowFilterFrequency,
@@ -19,8 +19,8 @@ pub struct ReadParamsExt {
 
 /// Writes the second block of a profile's parameters and saves it to EEPROM.
 ///
-/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it.
-#[message(CMD_WRITE_PARAMS_EXT, outgoing, size = 104)]
+/// The specification is silent on the answer; the vendor's library waits for it.
+#[message(CMD_WRITE_PARAMS_EXT, outgoing, size = 104, answer = Confirm)]
 pub struct WriteParamsExt(pub ParamsExt);
 
 /// The second block of a profile's parameters.

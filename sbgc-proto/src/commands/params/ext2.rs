@@ -6,7 +6,7 @@ use super::{
     AutoPidFlags, DevicePort, ForcePosition, GeneralFlags2, InterruptConfig, MavConfig, MavControlMode,
     ParkingPosition, PidGain, SerialSpeed, StabilizedAxis, StartupAction, StepSignalConfig,
 };
-use crate::commands::{ProfileId, RcSource};
+use crate::commands::{Confirm, ProfileId, RcSource, TriggerPinId};
 use crate::units::{
     AccelerationLimit, CorrectionAngle, CurrentLimit, Delay, Ellipticity, MagneticLink, PhaseResistance,
     SignalThreshold, TimeShare,
@@ -22,8 +22,8 @@ pub struct ReadParamsExt2 {
 
 /// Writes the third block of a profile's parameters and saves it to EEPROM.
 ///
-/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it.
-#[message(CMD_WRITE_PARAMS_EXT2, outgoing, size = 151)]
+/// The specification is silent on the answer; the vendor's library waits for it.
+#[message(CMD_WRITE_PARAMS_EXT2, outgoing, size = 151, answer = Confirm)]
 pub struct WriteParamsExt2(pub ParamsExt2);
 
 /// The third block of a profile's parameters.
@@ -117,9 +117,9 @@ pub struct ParamsExt2 {
     /// Where the gimbal parks.
     #[wire(since = "2.66")]
     pub parking_pos_cfg: ParkingPosition,
-    /// The pin that shows what the LED on the board does, by its number in `CMD_TRIGGER_PIN`.
+    /// The pin that shows what the LED on the board does; 0 for none.
     #[wire(since = "2.66")]
-    pub ext_led_pin_id: u8,
+    pub ext_led_pin_id: TriggerPinId,
     /// The pin that signals interrupts, and when.
     #[wire(since = "2.66")]
     pub interrupt_cfg: InterruptConfig,

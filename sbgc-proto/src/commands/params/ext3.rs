@@ -7,7 +7,7 @@ use super::{
     GeneralFlags3, GeneralFlags4, InverseQuality, ProfileFlags2, ProfileFlags3, ServoFactor, ServoTerm,
     ShakeFrequency, ShakePause, ShakeRange, ShakeResonance,
 };
-use crate::commands::{ProfileId, RcSource};
+use crate::commands::{Confirm, ProfileId, RcSource};
 use crate::units::{
     Angle, CorrectionAngle, Delay, LimitWidth, ResonanceGain, ServoRate, ShuntResistance, TripCurrent,
 };
@@ -22,8 +22,8 @@ pub struct ReadParamsExt3 {
 
 /// Writes the fourth block of a profile's parameters and saves it to EEPROM.
 ///
-/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it.
-#[message(CMD_WRITE_PARAMS_EXT3, outgoing, size = 221, since = "2.66")]
+/// The specification is silent on the answer; the vendor's library waits for it.
+#[message(CMD_WRITE_PARAMS_EXT3, outgoing, size = 221, since = "2.66", answer = Confirm)]
 pub struct WriteParamsExt3(pub ParamsExt3);
 
 /// The fourth block of a profile's parameters.

@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::open_enum;
 
+use crate::commands::TriggerPinId;
 use crate::wire::{bit_enums, bit_fields};
 
 /// Model of an external IMU; 0 is none. Spec: `EXT_IMU_TYPE`.
@@ -40,8 +41,8 @@ bit_fields! {
     /// The pin has five bits as the vendor's library reads them: the buzzer and the power of the Spektrum connector
     /// cannot be said.
     pub struct ExtraButton: u8 {
-        /// The pin's number, as `CMD_TRIGGER_PIN` has it; 0 is none.
-        0..=4 => pin / with_pin "PIN": u8,
+        /// The pin; 0 is none.
+        0..=4 => pin / with_pin "PIN": TriggerPinId,
         /// Whether it stays pressed until it is pressed again.
         6..=6 => latching / with_latching "LATCHING": bool,
         /// Whether its level is inverted.

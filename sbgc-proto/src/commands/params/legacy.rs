@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::message;
 
-use crate::commands::ProfileId;
+use crate::commands::{Confirm, ProfileId};
 
 /// Asks for the parameters of a profile, in the layout of old boards.
 ///
@@ -26,8 +26,8 @@ pub struct Params<'a> {
 
 /// Writes the parameters of a profile, in the layout of old boards.
 ///
-/// Deprecated, and not published. Confirmed by `CMD_CONFIRM`.
-#[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", size = 0..=255)]
+/// Deprecated, and not published.
+#[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", size = 0..=255, answer = Confirm)]
 pub struct WriteParams<'a> {
     /// The bytes.
     pub data: &'a [u8],

@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::commands::ProfileId;
+use crate::commands::{Confirm, ProfileId};
 use crate::wire::{FixedText, Reserved};
 
 /// Asks for the names of the profiles.
@@ -20,9 +20,9 @@ pub struct ProfileNames {
 
 /// Stores the names of the profiles in EEPROM.
 ///
-/// Confirmed by `CMD_CONFIRM`; the specification is silent on that, the vendor's library waits for it. The
+/// The specification is silent on the answer; the vendor's library waits for it. The
 /// specification's heading calls it `CMD_WRITE_PROFILE_NAMES_3`; there is one command only.
-#[message(CMD_WRITE_PROFILE_NAMES, outgoing, size = 240)]
+#[message(CMD_WRITE_PROFILE_NAMES, outgoing, size = 240, answer = Confirm)]
 pub struct WriteProfileNames(pub ProfileNames);
 
 /// Resets the parameters of a profile to those of the factory, or all of the EEPROM.
@@ -38,9 +38,7 @@ pub struct UseDefaults {
 }
 
 /// Saves, clears or loads a whole set of profiles, with simple calibrations.
-///
-/// Confirmed by `CMD_CONFIRM` on success.
-#[message(CMD_PROFILE_SET, outgoing, size = 10, since = "2.65")]
+#[message(CMD_PROFILE_SET, outgoing, size = 10, since = "2.65", answer = Confirm)]
 pub struct ProfileSet {
     /// Where the set is stored.
     #[wire(range = 1..=6)]
@@ -88,9 +86,7 @@ pub enum ProfileSetAction {
 }
 
 /// Brackets a series of blocks that are written, so that the board restarts once instead of after each.
-///
-/// Confirmed by `CMD_CONFIRM`. Newer firmware only.
-#[message(CMD_WRITE_PARAMS_SET, outgoing, size = 1, since = "2.70b4")]
+#[message(CMD_WRITE_PARAMS_SET, outgoing, size = 1, since = "2.70b4", answer = Confirm)]
 pub struct WriteParamsSet {
     /// Whether the series begins or ends.
     pub action: WriteParamsSetAction,

@@ -147,6 +147,7 @@ fn ext2_has_its_groups_in_place() {
     assert_eq!(params.step_signals[5].step_signal_cfg.mode(), StepSignalMode::High);
     assert_eq!(params.rc_calibs[4].rc_calib_offset, -126);
     assert_eq!(params.interrupt_cfg, InterruptConfig(0x8887));
+    assert_eq!(params.interrupt_cfg.with_pin(TriggerPinId::Aux3), InterruptConfig(0x8892));
     assert_eq!(params.overload_time.milliseconds(), 13_700.0);
     assert_eq!(params.jerk_slope.roll, 139);
     assert_eq!(params.uart2_speed, SerialSpeed::Unknown(144));
@@ -167,7 +168,7 @@ fn ext3_has_the_newer_fields_in_place() {
     assert_eq!(params.ext_imu_flags.bits(), 0x1B1A);
     assert_eq!(params.soft_limit_width.roll.degrees(), 4.0);
     assert_eq!(params.glock_mid_mot_pos_corr_rate, 46);
-    assert_eq!(params.extra_btn_cfg[0].pin(), 15);
+    assert_eq!(params.extra_btn_cfg[0].pin(), TriggerPinId::Unknown(15));
     assert_eq!(params.power_ctrl_overcurrent_protection.amperes(), 26.0);
     assert_eq!(params.lpf_q_inv.roll.inverse_quality(), 1.4);
     assert_eq!(params.profile_flags2.bits(), 0x4140);

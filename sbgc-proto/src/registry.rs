@@ -260,7 +260,6 @@ commands! {
         ReadParamsExt3(ReadParamsExt3),
         WriteParamsExt3(WriteParamsExt3),
         AutoPid2Simple(AutoPid2SimpleRequest),
-        AutoPid2(AutoPid2LegacyRequest),
         AutoPid2Newer(AutoPid2Request),
         MotorsOffSimple(MotorsOffSimple),
         MotorsOffExtended(MotorsOff),

@@ -1,14 +1,15 @@
 //! A simulated board, to try things without hardware and to test against.
 //!
 //! ```text
-//!  Board                      plain state: bytes and time in, bytes out
-//!   ├─ Line                  framing, buffers, bit rate
-//!   └─ Machine               parameters, control
-//!        ├─ answers          what each command brings about
-//!        └─ Motion           how the camera turns
+//!  serve, in_process, pty, tcp        a stream and the clock
+//!       └─ Board                      plain state: bytes and time in, bytes out
+//!            ├─ Line                  framing, buffers, bit rate
+//!            └─ Machine               parameters, control
+//!                 ├─ answers          what each command brings about
+//!                 └─ Motion           how the camera turns
 //! ```
 //!
-//! [`Board`] is deterministic and knows no clock. Each module says what in
+//! [`Board`] is deterministic and knows no clock; [`serve`] puts it behind any stream of bytes. Each module says what in
 //! it is as on a real board and what is simplified. One host at a time talks to the board: it has one port.
 //!
 //! # Where the protocol leaves it open
@@ -24,11 +25,19 @@ mod line;
 mod machine;
 mod motion;
 mod parameters;
+#[cfg(unix)]
+mod pty;
+mod serve;
+mod tcp;
 
 pub use board::{Board, POLL};
 pub use config::{Config, StoredBlock};
 pub use line::LineCounters;
 pub use motion::{Axis, CYCLE, Goal, Limits, Motion};
+#[cfg(unix)]
+pub use pty::Pty;
+pub use serve::{in_process, serve};
+pub use tcp::serve_tcp;
 
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,9 @@
-//! The board, driven by a clock of its own.
+//! The board, driven by a clock of its own and over streams.
 
 mod control;
 mod line;
 mod memory;
+mod streams;
 
 use std::time::Duration;
 

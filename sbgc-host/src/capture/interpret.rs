@@ -1,0 +1,215 @@
+//! What frames mean, with what was said before in mind.
+
+use std::collections::VecDeque;
+
+use sbgc_proto::commands::{
+    CanDrvTelemetry, CanDrvTelemetryFlags, RealtimeDataCustom, RealtimeDataCustom2, RealtimeDataCustom2Flags,
+    RealtimeDataCustomFlags, StreamSource,
+};
+use sbgc_proto::reflect::{self, MessageInfo, Visitor};
+use sbgc_proto::wire::FromWire;
+use sbgc_proto::{CommandId, DecodeError, Direction, IncomingCommand, Message, OutgoingCommand};
+
+/// A message with all that is known of it.
+#[derive(Clone, Debug)]
+#[allow(clippy::large_enum_variant, reason = "one is alive at a time")]
+pub enum Meaning<'a> {
+    /// From the host.
+    Outgoing(OutgoingCommand<'a>),
+    /// From the board.
+    Incoming(IncomingCommand<'a>),
+    /// Real-time data of which a request told what it is.
+    RealtimeDataCustom(RealtimeDataCustom),
+    /// The second kind of real-time data of which a request told what it is.
+    RealtimeDataCustom2(RealtimeDataCustom2),
+    /// Telemetry of which the registration of the stream told what it is.
+    CanDrvTelemetry(CanDrvTelemetry),
+}
+
+/// A message that was read, and the bytes that newer firmware has added to it.
+#[derive(Clone, Debug)]
+pub struct Interpreted<'a> {
+    /// The message.
+    pub meaning: Meaning<'a>,
+    /// What follows the part that is known.
+    pub rest: &'a [u8],
+}
+
+impl Interpreted<'_> {
+    /// Which way it went.
+    pub fn direction(&self) -> Direction {
+        match self.meaning {
+            Meaning::Outgoing(_) => Direction::Outgoing,
+            _ => Direction::Incoming,
+        }
+    }
+
+    /// The spec's name of the command, `None` for one that the protocol does not have.
+    pub fn name(&self) -> Option<&'static str> {
+        match &self.meaning {
+            Meaning::Outgoing(message) => message.spec_name(),
+            Meaning::Incoming(message) => message.spec_name(),
+            Meaning::RealtimeDataCustom(_) => Some(RealtimeDataCustom::SPEC),
+            Meaning::RealtimeDataCustom2(_) => Some(RealtimeDataCustom2::SPEC),
+            Meaning::CanDrvTelemetry(_) => Some(CanDrvTelemetry::SPEC),
+        }
+    }
+
+    /// The name of the form.
+    pub fn form(&self) -> &'static str {
+        match &self.meaning {
+            Meaning::Outgoing(message) => message.form(),
+            Meaning::Incoming(message) => message.form(),
+            Meaning::RealtimeDataCustom(_) => RealtimeDataCustom::FORM,
+            Meaning::RealtimeDataCustom2(_) => RealtimeDataCustom2::FORM,
+            Meaning::CanDrvTelemetry(_) => CanDrvTelemetry::FORM,
+        }
+    }
+
+    /// Visits the fields of the known part in wire order.
+    pub fn walk(&self, visitor: &mut dyn Visitor) {
+        match &self.meaning {
+            Meaning::Outgoing(message) => message.walk(visitor),
+            Meaning::Incoming(message) => message.walk(visitor),
+            Meaning::RealtimeDataCustom(message) => reflect::walk(message, visitor),
+            Meaning::RealtimeDataCustom2(message) => reflect::walk(message, visitor),
+            Meaning::CanDrvTelemetry(message) => reflect::walk(message, visitor),
+        };
+    }
+}
+
+/// Gives frames their meaning, and remembers the requests that later answers need.
+#[derive(Clone, Debug, Default)]
+pub struct Interpreter {
+    fallback: Option<RealtimeDataCustomFlags>,
+    custom: Requests<RealtimeDataCustomFlags>,
+    custom2: Requests<RealtimeDataCustom2Flags>,
+    telemetry: Requests<CanDrvTelemetryFlags>,
+}
+
+impl Interpreter {
+    /// Takes `custom_flags` for real-time data of which no request was seen.
+    pub fn new(custom_flags: Option<u32>) -> Self {
+        let fallback = custom_flags.map(RealtimeDataCustomFlags::from_bits_retain);
+        Interpreter { fallback, ..Self::default() }
+    }
+
+    /// Reads a payload. Without a direction, the one that its id and length fit is taken; where both fit, outgoing.
+    ///
+    /// # Errors
+    /// When the payload is not one of the command's.
+    pub fn interpret<'a>(
+        &mut self,
+        direction: Option<Direction>,
+        id: u8,
+        payload: &'a [u8],
+    ) -> Result<Interpreted<'a>, DecodeError> {
+        let id = CommandId::from_raw(id);
+        match direction.unwrap_or_else(|| likely_direction(id, payload.len())) {
+            Direction::Outgoing => {
+                let (message, rest) = OutgoingCommand::decode(id, payload)?;
+                self.remember(&message);
+                Ok(Interpreted { meaning: Meaning::Outgoing(message), rest })
+            }
+            Direction::Incoming => {
+                let (message, rest) = IncomingCommand::decode(id, payload)?;
+                match self.explain(&message, payload)? {
+                    Some((meaning, rest)) => Ok(Interpreted { meaning, rest }),
+                    None => Ok(Interpreted { meaning: Meaning::Incoming(message), rest }),
+                }
+            }
+        }
+    }
+
+    fn remember(&mut self, message: &OutgoingCommand<'_>) {
+        match message {
+            OutgoingCommand::RealtimeDataCustom(request) => self.custom.add(request.flags),
+            OutgoingCommand::RealtimeDataCustom2(request) => self.custom2.add(request.flags),
+            OutgoingCommand::DataStreamInterval(stream) => match stream.source() {
+                Some(StreamSource::RealtimeDataCustom(flags)) => self.custom.add(flags),
+                Some(StreamSource::RealtimeDataCustom2(flags)) => self.custom2.add(flags),
+                Some(StreamSource::CanDrvTelemetry { flags, .. }) => self.telemetry.add(flags),
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+
+    /// The message as its request tells to read it, where one was seen.
+    fn explain<'a>(
+        &self,
+        message: &IncomingCommand<'_>,
+        payload: &'a [u8],
+    ) -> Result<Option<(Meaning<'a>, &'a [u8])>, DecodeError> {
+        Ok(match message {
+            IncomingCommand::RealtimeDataCustom(_) => match self.custom.decode(payload) {
+                Some((data, rest)) => Some((Meaning::RealtimeDataCustom(data), rest)),
+                None => match self.fallback.or(self.custom.newest()) {
+                    Some(flags) => {
+                        let (data, rest) = RealtimeDataCustom::decode_with(payload, flags)?;
+                        Some((Meaning::RealtimeDataCustom(data), rest))
+                    }
+                    None => None,
+                },
+            },
+            IncomingCommand::RealtimeDataCustom2(_) => {
+                self.custom2.decode(payload).map(|(data, rest)| (Meaning::RealtimeDataCustom2(data), rest))
+            }
+            IncomingCommand::CanDrvTelemetry(_) => {
+                self.telemetry.decode(payload).map(|(data, rest)| (Meaning::CanDrvTelemetry(data), rest))
+            }
+            _ => None,
+        })
+    }
+}
+
+/// What was asked for, newest first.
+#[derive(Clone, Debug)]
+struct Requests<F>(VecDeque<F>);
+
+/// More different requests than a board has data streams are not alive at once.
+const MEMORY: usize = 16;
+
+impl<F: Copy + PartialEq> Requests<F> {
+    fn add(&mut self, flags: F) {
+        self.0.retain(|known| *known != flags);
+        self.0.push_front(flags);
+        self.0.truncate(MEMORY);
+    }
+
+    fn newest(&self) -> Option<F> {
+        self.0.front().copied()
+    }
+
+    /// The payload as the newest request wants it whose answer is as long.
+    fn decode<'a, M: Message + FromWire<'a, F>>(&self, payload: &'a [u8]) -> Option<(M, &'a [u8])> {
+        let readings = self.0.iter().filter_map(|flags| M::decode_with(payload, *flags).ok());
+        readings.into_iter().find(|(_, rest)| rest.is_empty())
+    }
+}
+
+impl<F> Default for Requests<F> {
+    fn default() -> Self {
+        Requests(VecDeque::new())
+    }
+}
+
+/// The direction whose narrowest form the length fits.
+fn likely_direction(id: CommandId, length: usize) -> Direction {
+    let narrowest = |all: &'static [MessageInfo]| {
+        let forms = all.iter().filter(|info| info.id == id);
+        // A form that the length does not fit is better than none.
+        forms
+            .map(|info| match info.size.contains(&length) && (info.accepts)(length) {
+                true => info.size.end() - info.size.start(),
+                false => 1000,
+            })
+            .min()
+            .unwrap_or(usize::MAX)
+    };
+    if narrowest(IncomingCommand::ALL) < narrowest(OutgoingCommand::ALL) {
+        Direction::Incoming
+    } else {
+        Direction::Outgoing
+    }
+}

@@ -1,0 +1,14 @@
+//! Captured traffic: files and pipes that hold frames, and what the frames in them mean.
+//!
+//! [`Reader`] turns bytes, hex dumps and log lines into [`Item`]s: frames and what was skipped between them.
+//! [`Interpreter`] gives each frame its meaning; it remembers the requests it has seen, because some answers can be
+//! read only with the request in mind. Neither knows ports or time.
+
+mod hex;
+mod interpret;
+mod log;
+mod reader;
+
+pub use hex::HexError;
+pub use interpret::{Interpreted, Interpreter, Meaning};
+pub use reader::{Format, Item, ReadError, Reader};

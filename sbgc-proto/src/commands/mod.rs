@@ -14,6 +14,7 @@
 //!
 
 mod actions;
+mod adjustable;
 mod board;
 mod calibration;
 mod can;
@@ -33,6 +34,7 @@ mod system;
 mod tuning;
 
 pub use actions::*;
+pub use adjustable::*;
 pub use board::*;
 pub use calibration::*;
 pub use can::*;

@@ -1,0 +1,119 @@
+//! What signals do to variables at the moment.
+
+use sbgc_proto_macros::message;
+
+use super::AdjustableVariable;
+use crate::commands::{MenuCommand, RcSource};
+use crate::units::RcSignal;
+use crate::wire::{BitField, Float, Reserved, bit_fields};
+
+/// Asks for the state of a trigger slot, of two signals and of two variables.
+#[message(
+    CMD_ADJ_VARS_STATE,
+    outgoing,
+    form = "extended",
+    size = 7,
+    length = 7..,
+    since = "2.62b5",
+    answer = AdjVarsState
+)]
+pub struct AdjVarsStateRequest {
+    /// The trigger slot, from 0 on.
+    #[wire(range = 0..=9)]
+    pub trigger_slot: u8,
+    /// The signal of an analog slot.
+    pub analog_src_id: WideRcSource,
+    /// The variable of an analog slot.
+    pub analog_var_id: AdjustableVariable,
+    /// The signal of a lookup table.
+    pub lut_src_id: WideRcSource,
+    /// The variable of a lookup table.
+    pub lut_var_id: AdjustableVariable,
+}
+
+/// The state of a trigger slot, of two signals and of two variables: the answer to [`AdjVarsStateRequest`].
+///
+/// The legacy form has as many bytes, so the payload does not say which it is; firmware and request do.
+#[message(CMD_ADJ_VARS_STATE, incoming, form = "extended", size = 15, since = "2.62b5")]
+pub struct AdjVarsState {
+    /// Signal of the trigger slot.
+    #[wire(range = -16384..=16384)]
+    pub trigger_rc_data: RcSignal,
+    /// What it runs.
+    pub trigger_action: MenuCommand,
+    /// The signal that was asked for.
+    #[wire(range = -16384..=16384)]
+    pub analog_src_value: RcSignal,
+    /// The variable that was asked for. A float, though the vendor's library reads an integer.
+    pub analog_var_value: Float,
+    /// The signal of the lookup table that was asked for.
+    #[wire(range = -16384..=16384)]
+    pub lut_src_value: RcSignal,
+    /// The variable of the lookup table that was asked for. A float, though the vendor's library reads an integer.
+    pub lut_var_value: Float,
+}
+
+/// Asks for the state of a trigger slot and an analog slot, of firmware before 2.62b5.
+#[message(
+    CMD_ADJ_VARS_STATE,
+    outgoing,
+    form = "legacy",
+    size = 2,
+    length = 2,
+    answer = AdjVarsStateLegacy
+)]
+pub struct AdjVarsStateLegacyRequest {
+    /// The trigger slot, from 0 on.
+    #[wire(range = 0..=9)]
+    pub trigger_slot: u8,
+    /// The analog slot, from 0 on.
+    #[wire(range = 0..=14)]
+    pub analog_slot: u8,
+}
+
+/// The state of a trigger slot and an analog slot, from firmware before 2.62b5: the answer to
+/// [`AdjVarsStateLegacyRequest`].
+///
+/// The newer form has as many bytes, so the payload does not say which it is; firmware and request do.
+#[message(CMD_ADJ_VARS_STATE, incoming, form = "legacy", size = 15)]
+pub struct AdjVarsStateLegacy {
+    /// Signal of the trigger slot.
+    #[wire(range = -500..=500)]
+    pub trigger_rc_data: i16,
+    /// What it runs.
+    pub trigger_action: MenuCommand,
+    /// Signal of the analog slot.
+    #[wire(range = -500..=500)]
+    pub analog_rc_data: i16,
+    /// The variable of the analog slot after all that changes it.
+    pub analog_value: i32,
+    /// Kept.
+    pub reserved: Reserved<6>,
+}
+
+bit_fields! {
+    /// Where a signal comes from, in two bytes. All that are known fit in the low one.
+    pub struct WideRcSource: u16 {
+        /// The source.
+        0..=7 => source / with_source "RC_MAP": RcSource,
+    }
+}
+
+impl From<RcSource> for WideRcSource {
+    fn from(source: RcSource) -> Self {
+        Self::default().with_source(source)
+    }
+}
+
+impl BitField for RcSource {
+    fn from_bits(bits: u32) -> Self {
+        Self(u8::from_bits(bits))
+    }
+
+    fn into_bits(self) -> u32 {
+        self.0.into()
+    }
+}
+
+#[cfg(feature = "reflect")]
+impl crate::wire::BitLabels for RcSource {}

@@ -1,0 +1,70 @@
+//! Values of variables, one by one.
+
+use sbgc_proto_macros::{message, record};
+
+use super::AdjustableVariable;
+use crate::commands::Confirm;
+use crate::wire::{Float, List};
+
+/// Changes variables at once, without storing them in EEPROM: [`SaveParams3`](super::SaveParams3) does that.
+///
+/// Confirmed on success.
+#[message(CMD_SET_ADJ_VARS_VAL, outgoing, size = 1..=201, answer = Confirm)]
+pub struct SetAdjVarsVal(pub AdjVarsVal);
+
+/// Values of variables.
+#[message(CMD_SET_ADJ_VARS_VAL, incoming, size = 1..=201)]
+pub struct AdjVarsVal {
+    /// The variables, 1 to 40.
+    #[wire(counted_by = "NUM_PARAMS")]
+    pub params: List<VariableValue, 40>,
+}
+
+/// Asks for the values of variables.
+#[message(CMD_GET_ADJ_VARS_VAL, outgoing, size = 1..=41, answer = AdjVarsVal)]
+pub struct GetAdjVarsVal {
+    /// The variables, 1 to 40.
+    #[wire(counted_by = "NUM_PARAMS")]
+    pub param_id: List<AdjustableVariable, 40>,
+}
+
+/// A variable and its value.
+#[record(size = 5)]
+pub struct VariableValue {
+    /// Which one.
+    pub param_id: AdjustableVariable,
+    /// Its raw value, widened to four bytes. The specification leaves room for floats, but all variables that it
+    /// lists are integers.
+    pub param_value: i32,
+}
+
+/// Changes variables at once, with values as floats.
+///
+/// Confirmed on success. One source calls the command `CMD_SET_ADJ_VARS_F`.
+#[message(CMD_SET_ADJ_VARS_VAL_F, outgoing, size = 1..=201, since = "2.73.4", answer = Confirm)]
+pub struct SetAdjVarsValF(pub AdjVarsValF);
+
+/// Values of variables as floats.
+#[message(CMD_SET_ADJ_VARS_VAL_F, incoming, size = 1..=201, since = "2.73.4")]
+pub struct AdjVarsValF {
+    /// The variables, 1 to 40.
+    #[wire(counted_by = "NUM_PARAMS")]
+    pub params: List<VariableValueF, 40>,
+}
+
+/// Asks for the values of variables as floats.
+#[message(CMD_GET_ADJ_VARS_VAL_F, outgoing, size = 1..=41, since = "2.73.4", answer = AdjVarsValF)]
+pub struct GetAdjVarsValF {
+    /// The variables, 1 to 40.
+    #[wire(counted_by = "NUM_PARAMS")]
+    pub param_id: List<AdjustableVariable, 40>,
+}
+
+/// A variable and its value as a float.
+#[record(size = 5)]
+pub struct VariableValueF {
+    /// Which one.
+    pub param_id: AdjustableVariable,
+    /// Its value.
+    pub param_value: Float,
+}

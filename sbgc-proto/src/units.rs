@@ -198,6 +198,14 @@ quantities! {
     /// How much the camera shakes.
     StabilizationError(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1000;
 
+    /// The time between the messages of a data stream. 0 ends it, and the shortest is a cycle of the firmware, 0.8 ms.
+    StreamInterval(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
+        /// Ends the stream.
+        UNREGISTER = 0;
+        /// In every cycle of the firmware, which is 0.8 ms.
+        EVERY_CYCLE = 1;
+    };
+
     /// A rate of repetition.
     ServoRate(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
 
@@ -232,8 +240,6 @@ quantities! {
     RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {
         /// There is no signal.
         UNDEFINED = -32768;
-        /// There is no signal, as the specification writes it for `CMD_READ_RC_INPUTS`.
-        RC_UNDEF = -32767;
         /// There is no signal, as older firmware has it in some messages.
         UNDEFINED_OLD = -32767;
     };
@@ -350,7 +356,7 @@ quantities! {
 impl RcSignal {
     /// The fraction of full scale, -1 to 1; `None` where there is no signal.
     pub fn signal(self) -> Option<f32> {
-        (self != Self::UNDEFINED && self != Self::RC_UNDEF).then(|| self.fraction())
+        (self != Self::UNDEFINED && self != Self::UNDEFINED_OLD).then(|| self.fraction())
     }
 }
 

@@ -82,7 +82,9 @@ fn too_short_is_an_error_that_says_both_lengths() {
                     assert_eq!((command, got), (info.spec, length));
                     assert!(needed > length);
                 }
-                Err(DecodeError::NoSuchForm { command, got } | DecodeError::Truncated { command, got, .. }) => {
+                Err(
+                    DecodeError::NoSuchForm { command, got } | DecodeError::Truncated { command, got, .. },
+                ) => {
                     assert_eq!(command, info.spec);
                     assert!(got <= length);
                 }

@@ -268,7 +268,7 @@ impl RealtimeDataCustomView<'_> {
 }
 
 /// Reads again, with what must be known, a message that was read without.
-pub(crate) fn decode_view<M, C>(view: &impl ToWire, context: C) -> Result<M, DecodeError>
+pub(in crate::commands) fn decode_view<M, C>(view: &impl ToWire, context: C) -> Result<M, DecodeError>
 where
     M: Message + for<'b> FromWire<'b, C>,
 {

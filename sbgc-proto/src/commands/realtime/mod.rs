@@ -18,3 +18,5 @@ pub use custom::*;
 pub use custom2::*;
 pub use fixed::*;
 pub use state::*;
+
+pub(super) use custom::decode_view;

@@ -1,0 +1,254 @@
+//! The wire between host and board, and the board's two buffers at its end.
+//!
+//! ```text
+//!  host ─► coming ─(bit rate)─► Decoder ─► queue, 255 bytes ─► board
+//!  host ◄─ gone ◄──(bit rate)── output, 255 bytes ◄── waiting ◄── board
+//! ```
+//!
+//! A message is weighed when its last byte is there: it is lost if it does not fit what the queue leaves of 255 bytes.
+//! An answer that does not fit the output waits, and the board waits with it.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use bytes::{Bytes, BytesMut};
+use sbgc_proto::frame::{self, BOARD_BUFFER, Decoder, Event, Version, Versions};
+
+/// Bytes that have left the board and that the host may leave unread before the line holds the board up.
+const HOST_BUFFER: usize = 4096;
+
+/// Silence within a frame after which the board gives the frame up.
+const GAP: Duration = Duration::from_millis(100);
+
+/// A command as it came.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Received {
+    pub(super) version: Version,
+    pub(super) id: u8,
+    pub(super) payload: Vec<u8>,
+}
+
+impl Received {
+    fn frame_len(&self) -> usize {
+        self.version.frame_len(self.payload.len())
+    }
+}
+
+/// What became of the messages so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct LineCounters {
+    /// Messages that the board took.
+    pub received: u64,
+    /// Messages that were lost because the input buffer was full.
+    pub lost: u64,
+    /// Bytes that belonged to no valid frame.
+    pub skipped_bytes: u64,
+    /// Messages that the board sent.
+    pub sent: u64,
+}
+
+#[derive(Debug)]
+pub(super) struct Line {
+    byte_time: Option<Duration>,
+    /// Bytes on their way to the board, by the time since when the line carries them.
+    coming: VecDeque<(Duration, Bytes)>,
+    /// When the last of them will be there.
+    coming_until: Duration,
+    last_byte: Duration,
+    decoder: Decoder,
+    queue: VecDeque<Received>,
+    queued_bytes: usize,
+    waiting: VecDeque<Vec<u8>>,
+    output: BytesMut,
+    /// When the last byte of `gone` was on its way.
+    gone_until: Duration,
+    gone: BytesMut,
+    counters: LineCounters,
+}
+
+impl Line {
+    pub(super) fn new(bit_rate: Option<u32>) -> Self {
+        let byte_time = bit_rate.and_then(|rate| Duration::from_secs(10).checked_div(rate));
+        Self {
+            byte_time: byte_time.filter(|time| !time.is_zero()),
+            coming: VecDeque::new(),
+            coming_until: Duration::ZERO,
+            last_byte: Duration::ZERO,
+            decoder: Decoder::new(Versions::Both),
+            queue: VecDeque::new(),
+            queued_bytes: 0,
+            waiting: VecDeque::new(),
+            output: BytesMut::new(),
+            gone_until: Duration::ZERO,
+            gone: BytesMut::new(),
+            counters: LineCounters::default(),
+        }
+    }
+
+    /// Forgets everything that is in the board; what is on the wire stays there.
+    pub(super) fn reset(&mut self) {
+        self.decoder = Decoder::new(Versions::Both);
+        self.queue.clear();
+        self.queued_bytes = 0;
+        self.waiting.clear();
+        self.output.clear();
+    }
+
+    pub(super) fn counters(&self) -> LineCounters {
+        self.counters
+    }
+
+    /// Puts bytes on the wire to the board.
+    pub(super) fn carry_in(&mut self, now: Duration, bytes: &[u8]) {
+        if !bytes.is_empty() {
+            let start = now.max(self.coming_until);
+            self.coming.push_back((start, Bytes::copy_from_slice(bytes)));
+            self.coming_until = start.saturating_add(self.time_for(bytes.len()));
+        }
+    }
+
+    /// Bytes that are on the wire to the board.
+    pub(super) fn coming(&self) -> usize {
+        self.coming.iter().map(|(_, bytes)| bytes.len()).sum()
+    }
+
+    /// Takes in what the wire has brought. With `deaf` it is lost.
+    pub(super) fn take_in(&mut self, now: Duration, deaf: bool) {
+        while let Some((start, bytes)) = self.coming.front_mut() {
+            let there = carried(self.byte_time, now.saturating_sub(*start), bytes.len());
+            let chunk = bytes.split_to(there);
+            let last = bytes.is_empty();
+            if let Some(byte_time) = self.byte_time {
+                *start = start.saturating_add(times(byte_time, there));
+            }
+            if last {
+                self.coming.pop_front();
+            }
+            if !chunk.is_empty() {
+                self.last_byte = now;
+                if !deaf {
+                    self.decode(&chunk);
+                }
+            }
+            if !last {
+                break;
+            }
+        }
+        if now.saturating_sub(self.last_byte) >= GAP {
+            while self.decoder.skip_candidate().is_some() {
+                self.decode(&[]);
+            }
+        }
+    }
+
+    fn decode(&mut self, mut chunk: &[u8]) {
+        while let Some(event) = self.decoder.next(&mut chunk) {
+            match event {
+                Event::Skipped(skipped) => self.counters.skipped_bytes += skipped.length as u64,
+                Event::Frame { frame, .. } => {
+                    let received =
+                        Received { version: frame.version, id: frame.id, payload: frame.payload.to_vec() };
+                    if received.version == Version::V2 {
+                        self.decoder.set_versions(Versions::Only(Version::V2));
+                    }
+                    let length = received.frame_len();
+                    if self.queued_bytes + length > BOARD_BUFFER {
+                        self.counters.lost += 1;
+                    } else {
+                        self.queued_bytes += length;
+                        self.queue.push_back(received);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Whether something has to be looked at when the board next works through its queue.
+    pub(super) fn is_busy(&self) -> bool {
+        !self.coming.is_empty() || !self.queue.is_empty() || self.decoder.pending() > 0
+    }
+
+    /// The next command, unless an answer still waits for room.
+    pub(super) fn next_command(&mut self) -> Option<Received> {
+        if !self.waiting.is_empty() {
+            return None;
+        }
+        let received = self.queue.pop_front()?;
+        self.queued_bytes = self.queued_bytes.saturating_sub(received.frame_len());
+        self.counters.received += 1;
+        Some(received)
+    }
+
+    /// Sends a message; it waits where there is no room for it.
+    pub(super) fn send(&mut self, now: Duration, version: Version, id: u8, payload: &[u8]) {
+        if let Some(frame) = encoded(version, id, payload) {
+            self.waiting.push_back(frame);
+            self.counters.sent += 1;
+            self.carry_out(now);
+        }
+    }
+
+    /// A frame longer than the buffer is let into the empty buffer, else it would never go out.
+    fn has_room_for(&self, length: usize) -> bool {
+        self.output.is_empty() || self.output.len() + length <= BOARD_BUFFER
+    }
+
+    /// Lets the wire carry to the host what it can up to `now`.
+    pub(super) fn carry_out(&mut self, now: Duration) {
+        loop {
+            let room = HOST_BUFFER.saturating_sub(self.gone.len());
+            let most = self.output.len().min(room);
+            let count = carried(self.byte_time, now.saturating_sub(self.gone_until), most);
+            self.gone.extend_from_slice(&self.output.split_to(count));
+            self.gone_until = match self.byte_time {
+                // Time in which there was nothing to carry, or nobody to take it, is lost.
+                _ if count == most => now.max(self.gone_until),
+                Some(byte_time) => self.gone_until.saturating_add(times(byte_time, count)),
+                None => now,
+            };
+            match self.waiting.front() {
+                Some(frame) if self.has_room_for(frame.len()) => {
+                    self.output.extend_from_slice(frame);
+                    self.waiting.pop_front();
+                }
+                _ => break,
+            }
+        }
+    }
+
+    /// What has arrived at the host's end.
+    pub(super) fn take_gone(&mut self) -> Bytes {
+        self.gone.split().freeze()
+    }
+
+    /// When the host should look for bytes again.
+    pub(super) fn next_out(&self) -> Option<Duration> {
+        let stuck = self.output.is_empty() || self.gone.len() >= HOST_BUFFER;
+        let byte_time = self.byte_time.filter(|_| !stuck)?;
+        // A host does not look for each byte: a millisecond or the rest of what is there.
+        let count = self.output.len().clamp(1, 10);
+        Some(self.gone_until.saturating_add(times(byte_time, count)))
+    }
+
+    fn time_for(&self, count: usize) -> Duration {
+        self.byte_time.map_or(Duration::ZERO, |byte_time| times(byte_time, count))
+    }
+}
+
+fn times(time: Duration, count: usize) -> Duration {
+    time.saturating_mul(u32::try_from(count).unwrap_or(u32::MAX))
+}
+
+/// How many of `most` bytes a line carries in `time`.
+fn carried(byte_time: Option<Duration>, time: Duration, most: usize) -> usize {
+    byte_time.map_or(most, |byte_time| {
+        let count = time.as_nanos().checked_div(byte_time.as_nanos()).unwrap_or_default();
+        usize::try_from(count).unwrap_or(usize::MAX).min(most)
+    })
+}
+
+fn encoded(version: Version, id: u8, payload: &[u8]) -> Option<Vec<u8>> {
+    let mut frame = vec![0; version.frame_len(payload.len())];
+    frame::encode_into(version, id, payload, &mut frame).ok()?;
+    Some(frame)
+}

@@ -1,0 +1,43 @@
+//! A simulated board, to try things without hardware and to test against.
+//!
+//! ```text
+//!  serve, in_process, pty, tcp        a stream and the clock
+//!       └─ Board                      plain state: bytes and time in, bytes out
+//!            ├─ Line                  framing, buffers, bit rate
+//!            └─ Machine               parameters, control
+//!                 ├─ answers          what each command brings about
+//!                 └─ Motion           how the camera turns
+//! ```
+//!
+//! [`Board`] is deterministic and knows no clock; [`serve`] puts it behind any stream of bytes. Each module says what in
+//! it is as on a real board and what is simplified. One host at a time talks to the board: it has one port.
+//!
+//! # Where the protocol leaves it open
+//! The board answers in the version it was asked in. A command that it knows but whose payload has a length it does not
+//! know, that asks for what cannot be, or that it does not know at all is refused with `CMD_ERROR` in the form that
+//! begins with the command's id. A frame that stops coming is given up after 100 ms of silence.
+
+mod answers;
+mod board;
+mod config;
+mod control;
+mod line;
+mod machine;
+mod motion;
+mod parameters;
+#[cfg(unix)]
+mod pty;
+mod serve;
+mod tcp;
+
+pub use board::{Board, POLL};
+pub use config::{Config, StoredBlock};
+pub use line::LineCounters;
+pub use motion::{Axis, CYCLE, Goal, Limits, Motion};
+#[cfg(unix)]
+pub use pty::Pty;
+pub use serve::{in_process, serve};
+pub use tcp::serve_tcp;
+
+#[cfg(test)]
+mod tests;

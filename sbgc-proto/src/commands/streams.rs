@@ -1,0 +1,300 @@
+//! Messages that the board sends by itself: data streams and events.
+
+use sbgc_proto_macros::{message, open_enum, record};
+
+use crate::CommandId;
+use crate::commands::{
+    CanDrvTelemetryFlags, Confirm, ImuIndex, RealtimeDataCustom2Flags, RealtimeDataCustomFlags, Switch,
+};
+use crate::units::StreamInterval;
+use crate::wire::{Bytes, Reserved, flags};
+
+/// Makes the board send a message at a fixed rate or on events.
+///
+/// There is one stream for each command and configuration on each port, and there are ten over all ports. The same
+/// command and configuration again change the stream's interval, and an interval of 0 ends it. When the port or its
+/// buffer is too slow, samples are left out.
+///
+/// ```
+/// use sbgc_proto::commands::{DataStreamInterval, RealtimeDataCustomFlags, StreamSource};
+/// use sbgc_proto::units::StreamInterval;
+///
+/// let source = StreamSource::RealtimeDataCustom(RealtimeDataCustomFlags::IMU_ANGLES);
+/// let request = DataStreamInterval::new(source, StreamInterval(100));
+/// assert_eq!(request.source(), Some(source));
+/// ```
+#[message(CMD_DATA_STREAM_INTERVAL, outgoing, size = 21, since = "2.60", answer = Confirm)]
+#[derive(Copy)]
+pub struct DataStreamInterval {
+    /// The command that the board shall send; [`StreamSource`] has those that it can.
+    pub cmd_id: CommandId,
+    /// Time between two messages, kept to ±1 ms and exact on average.
+    ///
+    /// An event is sent when it happens, with any interval but 0; the interval is that between messages as long as
+    /// something is held.
+    pub interval_ms: StreamInterval,
+    /// What the message shall hold; how it is laid out depends on the command.
+    pub config: StreamConfig,
+    /// Sends in step with the IMU's samples; the interval is then their number between two messages.
+    #[wire(since = "2.70b1")]
+    pub sync_to_data: Switch,
+    pub reserved: Reserved<9>,
+}
+
+impl DataStreamInterval {
+    /// Makes the board send what `source` says.
+    pub fn new(source: StreamSource, interval_ms: StreamInterval) -> Self {
+        Self { cmd_id: source.cmd_id(), interval_ms, config: source.config(), ..Self::default() }
+    }
+
+    /// What the board shall send; `None` where the command is none that can be a stream.
+    pub fn source(&self) -> Option<StreamSource> {
+        StreamSource::of(self.cmd_id, self.config)
+    }
+}
+
+/// Configuration of a data stream. All of its bytes, also those that its command does not use, tell streams apart.
+#[record(size = 8)]
+#[derive(Copy, Hash)]
+pub struct StreamConfig(pub Bytes<8>);
+
+impl StreamConfig {
+    fn new<const N: usize>(bytes: [u8; N]) -> Self {
+        let mut config = Self::default();
+        config.0.0.iter_mut().zip(bytes).for_each(|(place, byte)| *place = byte);
+        config
+    }
+}
+
+/// What a data stream consists of: a command, with the configuration as the command means it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum StreamSource {
+    /// [`RealtimeData3`](super::RealtimeData3).
+    RealtimeData3,
+    /// [`RealtimeData4`](super::RealtimeData4).
+    RealtimeData4,
+    /// [`RealtimeDataCustom`](super::RealtimeDataCustom) with these flags.
+    RealtimeDataCustom(RealtimeDataCustomFlags),
+    /// [`AhrsHelper`](super::AhrsHelper) of this IMU. Sources do not agree whether it counts from 0, as the
+    /// specification has it and is followed here, or from 1.
+    AhrsHelper(ImuIndex),
+    /// [`Event`]; firmware 2.65b7 and later.
+    Event {
+        /// Which kind.
+        event_id: EventId,
+        /// What of it is reported.
+        event_type: EventTypes,
+    },
+    /// [`CanDrvTelemetry`](super::CanDrvTelemetry) with these flags; firmware 2.72b0 and later, extended family of
+    /// boards.
+    CanDrvTelemetry {
+        /// What the messages hold.
+        flags: CanDrvTelemetryFlags,
+        /// Which driver. Sources do not say whether it is a number from 0 to 6, as the message itself has it, or a
+        /// set of bits.
+        drv_id: u8,
+    },
+    /// State of auxiliary motors; firmware 2.73 and later.
+    ExtMotorsState {
+        /// Which motors, bit 0 the first and bit 6 the seventh.
+        for_motors: u8,
+        /// What the messages hold, by the bits of that command.
+        data_set: u32,
+    },
+    /// [`RealtimeDataCustom2`](super::RealtimeDataCustom2) with these flags; firmware 2.74.2 and later.
+    RealtimeDataCustom2(RealtimeDataCustom2Flags),
+}
+
+impl StreamSource {
+    /// What `cmd_id` and `config` mean; `None` where the command is none that can be a stream. Bytes of the
+    /// configuration that the command does not use are passed over.
+    pub fn of(cmd_id: CommandId, config: StreamConfig) -> Option<Self> {
+        let [first, second, third, fourth, fifth, ..] = config.0.0;
+        let flags = u32::from_le_bytes([first, second, third, fourth]);
+        Some(match cmd_id {
+            CommandId::RealtimeData3 => Self::RealtimeData3,
+            CommandId::RealtimeData4 => Self::RealtimeData4,
+            CommandId::RealtimeDataCustom => {
+                Self::RealtimeDataCustom(RealtimeDataCustomFlags::from_bits_retain(flags))
+            }
+            CommandId::AhrsHelper => Self::AhrsHelper(first.into()),
+            CommandId::Event => {
+                Self::Event { event_id: first.into(), event_type: EventTypes::from_bits_retain(second) }
+            }
+            CommandId::CanDrvTelemetry => {
+                Self::CanDrvTelemetry { flags: CanDrvTelemetryFlags::from_bits_retain(flags), drv_id: fifth }
+            }
+            CommandId::ExtMotorsState => Self::ExtMotorsState {
+                for_motors: first,
+                data_set: u32::from_le_bytes([second, third, fourth, fifth]),
+            },
+            CommandId::RealtimeDataCustom2 => {
+                Self::RealtimeDataCustom2(RealtimeDataCustom2Flags::from_bits_retain(flags))
+            }
+            _ => return None,
+        })
+    }
+
+    /// The command that the board sends.
+    pub fn cmd_id(self) -> CommandId {
+        match self {
+            Self::RealtimeData3 => CommandId::RealtimeData3,
+            Self::RealtimeData4 => CommandId::RealtimeData4,
+            Self::RealtimeDataCustom(_) => CommandId::RealtimeDataCustom,
+            Self::AhrsHelper(_) => CommandId::AhrsHelper,
+            Self::Event { .. } => CommandId::Event,
+            Self::CanDrvTelemetry { .. } => CommandId::CanDrvTelemetry,
+            Self::ExtMotorsState { .. } => CommandId::ExtMotorsState,
+            Self::RealtimeDataCustom2(_) => CommandId::RealtimeDataCustom2,
+        }
+    }
+
+    /// The configuration as it stands on the wire.
+    pub fn config(self) -> StreamConfig {
+        match self {
+            Self::RealtimeData3 | Self::RealtimeData4 => StreamConfig::default(),
+            Self::RealtimeDataCustom(flags) => StreamConfig::new(flags.bits().to_le_bytes()),
+            Self::AhrsHelper(imu) => StreamConfig::new([imu.raw()]),
+            Self::Event { event_id, event_type } => StreamConfig::new([event_id.raw(), event_type.bits()]),
+            Self::CanDrvTelemetry { flags, drv_id } => {
+                let [a, b, c, d] = flags.bits().to_le_bytes();
+                StreamConfig::new([a, b, c, d, drv_id])
+            }
+            Self::ExtMotorsState { for_motors, data_set } => {
+                let [a, b, c, d] = data_set.to_le_bytes();
+                StreamConfig::new([for_motors, a, b, c, d])
+            }
+            Self::RealtimeDataCustom2(flags) => StreamConfig::new(flags.bits().to_le_bytes()),
+        }
+    }
+}
+
+/// Something happened. Sent only to ports that asked for it by [`DataStreamInterval`].
+#[message(CMD_EVENT, incoming, size = 4..=255, since = "2.65")]
+#[derive(Copy)]
+pub struct Event<'a> {
+    /// What.
+    pub event_id: EventId,
+    /// How. The camera gives these bits other names.
+    pub event_type: EventTypes,
+    /// More about it.
+    ///
+    /// Of a menu button that is held or released: for how many milliseconds it was held. Of a script: its slot,
+    /// counted from 0.
+    pub param1: u16,
+    /// Parameters that future firmware may add.
+    pub extra: &'a [u8],
+}
+
+/// What happened. Spec: `EVENT_ID`.
+#[open_enum(u8)]
+pub enum EventId {
+    /// The menu button is released, pressed or held.
+    #[wire(spec = "EVENT_ID_MENU_BUTTON")]
+    MenuButton = 1,
+    /// The motors went off or on.
+    #[wire(spec = "EVENT_ID_MOTOR_STATE")]
+    MotorState = 2,
+    /// An emergency stop ended or began.
+    #[wire(spec = "EVENT_ID_EMERGENCY_STOP")]
+    EmergencyStop = 3,
+    /// The menu command "Camera Rec/Photo event" or "Camera photo event".
+    #[wire(spec = "EVENT_ID_CAMERA")]
+    Camera = 4,
+    /// A script finished or started.
+    #[wire(spec = "EVENT_ID_SCRIPT", since = "2.68b8")]
+    Script = 5,
+    /// The retracted position was left or taken.
+    #[wire(spec = "EVENT_ID_RETRACTED_POSITION", since = "2.73.1")]
+    RetractedPosition = 6,
+}
+
+flags! {
+    /// How it happened: one bit in an event, any of them in a stream. Spec: `EVENT_TYPE`.
+    pub struct EventTypes: u8 {
+        /// It ended: released, off. With the camera it is [`REC_PHOTO`](Self::REC_PHOTO).
+        const OFF "EVENT_TYPE_OFF" = 1 << 0;
+        /// It began: pressed, on. With the camera it is [`PHOTO`](Self::PHOTO).
+        const ON "EVENT_TYPE_ON" = 1 << 1;
+        /// It goes on: held.
+        const HOLD "EVENT_TYPE_HOLD" = 1 << 2;
+    }
+}
+
+impl EventTypes {
+    /// Recording or photo, with [`EventId::Camera`]. Spec: `EVENT_TYPE_REC_PHOTO`.
+    pub const REC_PHOTO: Self = Self::OFF;
+    /// Photo, with [`EventId::Camera`]. Spec: `EVENT_TYPE_PHOTO`, which the specification prints as a second
+    /// `EVENT_TYPE_REC_PHOTO`.
+    pub const PHOTO: Self = Self::ON;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Message;
+
+    /// Made by hand from the layout.
+    #[test]
+    fn a_stream_is_registered_with_what_it_sends() {
+        let mut payload = [0; 21];
+        payload[..4].copy_from_slice(&[0x58, 0x64, 0x00, 0x09]);
+        let flags = RealtimeDataCustomFlags::IMU_ANGLES | RealtimeDataCustomFlags::STATOR_ROTOR_ANGLE;
+        let source = StreamSource::RealtimeDataCustom(flags);
+        let request = DataStreamInterval::new(source, StreamInterval::from_milliseconds(100.0));
+        assert_eq!(request.encode(&mut [0; 21]), Ok(&payload[..]));
+        assert_eq!(DataStreamInterval::decode(&payload), Ok(request));
+        assert_eq!(request.source(), Some(source));
+        assert!(DataStreamInterval::decode(&payload[..20]).is_err());
+    }
+
+    #[test]
+    fn every_byte_of_a_configuration_is_kept() {
+        let mut payload = [0xA5; 21];
+        for id in 0..=255 {
+            payload[0] = id;
+            let request = DataStreamInterval::decode(&payload).unwrap();
+            assert_eq!(request.encode(&mut [0; 21]), Ok(&payload[..]));
+            if let Some(source) = request.source() {
+                assert_eq!(StreamSource::of(source.cmd_id(), source.config()), Some(source));
+                let (used, kept) = (source.config().0.0, request.config.0.0);
+                assert!(used.into_iter().zip(kept).all(|(used, kept)| used == kept || used == 0));
+            }
+        }
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn configurations_are_laid_out_by_command() {
+        let config = |source: StreamSource| (source.cmd_id().raw(), source.config().0.0);
+        let event = StreamSource::Event {
+            event_id: EventId::MenuButton,
+            event_type: EventTypes::OFF | EventTypes::HOLD,
+        };
+        assert_eq!(config(event), (102, [1, 5, 0, 0, 0, 0, 0, 0]));
+        assert_eq!(config(StreamSource::AhrsHelper(ImuIndex::Frame)), (56, [1, 0, 0, 0, 0, 0, 0, 0]));
+        let flags = CanDrvTelemetryFlags::from_bits_retain(0x0403_0201);
+        let telemetry = StreamSource::CanDrvTelemetry { flags, drv_id: 6 };
+        assert_eq!(config(telemetry), (127, [1, 2, 3, 4, 6, 0, 0, 0]));
+        let motors = StreamSource::ExtMotorsState { for_motors: 0x7F, data_set: 0x0403_0201 };
+        assert_eq!(config(motors), (131, [0x7F, 1, 2, 3, 4, 0, 0, 0]));
+        let custom2 = StreamSource::RealtimeDataCustom2(RealtimeDataCustom2Flags::DEBUG);
+        assert_eq!(config(custom2), (139, [8, 0, 0, 0, 0, 0, 0, 0]));
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn events_may_grow() {
+        let event = Event::decode(&[2, 2, 0, 0]).unwrap();
+        assert_eq!((event.event_id, event.event_type), (EventId::MotorState, EventTypes::ON));
+        let payload = [1, 0x84, 0xE8, 0x03, 7, 8];
+        let event = Event::decode(&payload).unwrap();
+        assert_eq!(event.event_type, EventTypes::HOLD | EventTypes::from_bits_retain(0x80));
+        assert_eq!((event.param1, event.extra), (1000, &[7, 8][..]));
+        assert_eq!(event.encode(&mut [0; 6]), Ok(&payload[..]));
+        assert!(Event::decode(&payload[..3]).is_err());
+    }
+}

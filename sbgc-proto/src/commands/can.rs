@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
+use crate::commands::Confirm;
 use crate::units::ModuleVersion;
 use crate::wire::{Bytes, List, Reserved, bit_enums, bit_fields};
 
@@ -177,7 +178,7 @@ pub enum CanModuleId {
 }
 
 /// Starts to write the firmware of a module. Known from one source.
-#[message(CMD_MODULE_FLASH_START, outgoing, size = 5)]
+#[message(CMD_MODULE_FLASH_START, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashStart {
     /// Which module.
     #[wire(range = 1..=17)]
@@ -189,7 +190,7 @@ pub struct ModuleFlashStart {
 /// Writes a piece of the firmware of a module. Known from one source.
 ///
 /// Wait for the confirmation of each. The data of an error has the device and the packet, 2 bytes each.
-#[message(CMD_MODULE_FLASH_WRITE, outgoing, size = 14..=138)]
+#[message(CMD_MODULE_FLASH_WRITE, outgoing, size = 14..=138, answer = Confirm)]
 pub struct ModuleFlashWrite<'a> {
     /// Which module.
     #[wire(range = 1..=17)]
@@ -206,7 +207,7 @@ pub struct ModuleFlashWrite<'a> {
 }
 
 /// Ends writing the firmware of a module. Known from one source.
-#[message(CMD_MODULE_FLASH_FINISH, outgoing, size = 5)]
+#[message(CMD_MODULE_FLASH_FINISH, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashFinish {
     /// Which module.
     #[wire(range = 1..=17)]
@@ -237,10 +238,6 @@ raw! {
     CanDrvStateRequest(CMD_CAN_DRV_STATE, outgoing)
     /// From the board, about the state of a CAN driver. The payload is not published.
     CanDrvState(CMD_CAN_DRV_STATE, incoming)
-    /// To the board, about the calibration of a CAN driver. The payload is not published.
-    CanDrvCalibrateRequest(CMD_CAN_DRV_CALIBRATE, outgoing)
-    /// From the board, about the calibration of a CAN driver. The payload is not published.
-    CanDrvCalibrate(CMD_CAN_DRV_CALIBRATE, incoming)
     /// To the board, about the address of a device. The payload is not published.
     SetDeviceAddrRequest(CMD_SET_DEVICE_ADDR, outgoing)
     /// From the board, about the address of a device. The payload is not published.

@@ -2,21 +2,21 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::commands::MenuCommand;
+use crate::commands::{Confirm, MenuCommand};
 use crate::wire::flags;
 
 /// Switches the motors on.
-#[message(CMD_MOTORS_ON, outgoing, size = 0)]
+#[message(CMD_MOTORS_ON, outgoing, size = 0, answer = Confirm)]
 pub struct MotorsOn {}
 
 /// Switches the motors off, without a choice of how.
 ///
 /// The only form before firmware 2.68b7. Whether later firmware still takes it is not said: send [`MotorsOff`] there.
-#[message(CMD_MOTORS_OFF, outgoing, form = "simple", size = 0, length = 0)]
+#[message(CMD_MOTORS_OFF, outgoing, form = "simple", size = 0, length = 0, answer = Confirm)]
 pub struct MotorsOffSimple {}
 
 /// Switches the motors off.
-#[message(CMD_MOTORS_OFF, outgoing, form = "extended", size = 1, since = "2.68b7")]
+#[message(CMD_MOTORS_OFF, outgoing, form = "extended", size = 1, since = "2.68b7", answer = Confirm)]
 pub struct MotorsOff {
     /// How they are switched off.
     #[wire(since = "2.68b7")]
@@ -36,7 +36,7 @@ pub enum MotorsOffMode {
 }
 
 /// Brings motors that work in parallel on one axis in step.
-#[message(CMD_SYNC_MOTORS, outgoing, size = 6, since = "2.70b9")]
+#[message(CMD_SYNC_MOTORS, outgoing, size = 6, since = "2.70b9", answer = Confirm)]
 pub struct SyncMotors {
     /// The axis.
     pub axis: SyncMotorsAxis,
@@ -63,7 +63,7 @@ pub enum SyncMotorsAxis {
 /// Runs a menu command.
 ///
 /// That it is confirmed is known from the vendor's libraries. [`MenuCommand::No`] does nothing but be confirmed.
-#[message(CMD_EXECUTE_MENU, outgoing, form = "simple", size = 1)]
+#[message(CMD_EXECUTE_MENU, outgoing, form = "simple", size = 1, answer = Confirm)]
 pub struct ExecuteMenu {
     /// What to do.
     pub cmd_id: MenuCommand,

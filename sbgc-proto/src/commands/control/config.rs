@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
+use crate::commands::Confirm;
 use crate::units::JerkSlope;
 use crate::wire::{PerAxis, Reserved, flags};
 
@@ -9,7 +10,7 @@ use crate::wire::{PerAxis, Reserved, flags};
 ///
 /// A field of 0 leaves that setting as it is, but for the timeout. All of it is forgotten at a restart and when serial
 /// control ends. It is confirmed on success.
-#[message(CMD_CONTROL_CONFIG, outgoing, size = 41, since = "2.61")]
+#[message(CMD_CONTROL_CONFIG, outgoing, size = 41, since = "2.61", answer = Confirm)]
 pub struct ControlConfig {
     /// Serial control ends when no control command comes on any port for this long; 0 is no timeout, the default.
     #[wire(unit = "ms")]

@@ -3,6 +3,7 @@
 use sbgc_proto_macros::{message, record};
 
 use super::ControlMode;
+use crate::commands::Confirm;
 use crate::units::{Angle, ControlRate, FineRate};
 use crate::wire::{PerAxis, flags};
 
@@ -29,7 +30,7 @@ use crate::wire::{PerAxis, flags};
 /// assert_eq!(control.encode(&mut [0; 32])?, [0, 8, 2, 0, 0, 8]);
 /// # Ok::<(), sbgc_proto::EncodeError>(())
 /// ```
-#[message(CMD_CONTROL_EXT, outgoing, size = 2..=32, since = "2.68")]
+#[message(CMD_CONTROL_EXT, outgoing, size = 2..=32, since = "2.68", answer = Confirm)]
 #[derive(Copy)]
 pub struct ControlExt {
     /// Which values of which axes follow.

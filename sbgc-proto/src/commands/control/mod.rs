@@ -12,13 +12,14 @@ pub use config::*;
 pub use extended::*;
 pub use quaternion::*;
 
+use crate::commands::Confirm;
 use crate::units::{Angle, CoarseRcSignal, ControlRate, FineControlRate, RcSignal};
 use crate::wire::{PerAxis, bit_enums, bit_fields};
 
 /// Moves the gimbal, all axes in the same mode.
 ///
 /// The older form of [`Control`], for firmware before 2.55b5; later firmware takes it too.
-#[message(CMD_CONTROL, outgoing, form = "legacy", size = 13, length = 13)]
+#[message(CMD_CONTROL, outgoing, form = "legacy", size = 13, length = 13, answer = Confirm)]
 pub struct ControlLegacy {
     /// How all axes are controlled.
     pub control_mode: ControlMode,
@@ -54,7 +55,7 @@ pub struct ControlLegacy {
 /// assert!(control.control_mode.pitch.auto_task());
 /// # Ok::<(), sbgc_proto::EncodeError>(())
 /// ```
-#[message(CMD_CONTROL, outgoing, form = "extended", size = 15, since = "2.55b5")]
+#[message(CMD_CONTROL, outgoing, form = "extended", size = 15, since = "2.55b5", answer = Confirm)]
 #[derive(Copy)]
 pub struct Control {
     /// How each axis is controlled.

@@ -2,6 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
+use crate::commands::Confirm;
 use crate::units::{ControlRateLimit, SensorRate};
 use crate::wire::{Bytes, Float, PerXyz, flags};
 
@@ -199,7 +200,7 @@ flags! {
 }
 
 /// Sets the motion profile and the filters of control by quaternion.
-#[message(CMD_CONTROL_QUAT_CONFIG, outgoing, size = 2..=24, since = "2.73.0")]
+#[message(CMD_CONTROL_QUAT_CONFIG, outgoing, size = 2..=24, since = "2.73.0", answer = Confirm)]
 #[derive(Copy)]
 pub struct ControlQuatConfig {
     /// What follows.

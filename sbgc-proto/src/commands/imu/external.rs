@@ -2,7 +2,30 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::wire::flags;
+use crate::commands::AhrsDebugInfo;
+use crate::wire::{Float, PerXyz, flags};
+
+/// Asks what the external inertial sensor tells.
+///
+/// The specification has the answer only; the vendor's libraries ask for it like this.
+#[message(CMD_EXT_IMU_DEBUG_INFO, outgoing, size = 0, since = "2.66", answer = ExtImuDebugInfo)]
+pub struct ExtImuDebugInfoRequest {}
+
+/// What the external inertial sensor tells.
+///
+/// One source calls it a notification, so it may come without being asked for, too.
+#[message(CMD_EXT_IMU_DEBUG_INFO, incoming, size = 74, since = "2.66")]
+pub struct ExtImuDebugInfo {
+    /// State of the estimate of attitude.
+    pub ahrs_debug_info: AhrsDebugInfo,
+    /// Rotation matrix that came from the sensor, in coordinates East, North, down.
+    ///
+    /// The order is not stated; row after row according to one source.
+    #[wire(range = -1.0..=1.0)]
+    pub dcm: [Float; 9],
+    /// Linear acceleration without gravity, in the sensor's own coordinates. The unit is not stated.
+    pub acc_body: PerXyz<Float>,
+}
 
 /// Passes a message on to the external inertial sensor, a GPS_IMU.
 ///

@@ -121,3 +121,19 @@ fn messages_are_passed_on() {
     is(&ExtSensCmd { cmd_id: GpsImuCmd::Data, data: &[5] }, &[8, 5]);
     assert!(ExtSensCmdRequest::decode(&[1]).is_err() && ExtImuCmd::decode(&[]).is_err());
 }
+
+#[test]
+fn external_sensors_report() {
+    is(&ExtImuDebugInfoRequest {}, &[]);
+    let mut payload: [u8; 74] = core::array::from_fn(|index| u8::try_from(index).unwrap());
+    payload[30..34].copy_from_slice(&(-1.0_f32).to_le_bytes());
+    payload[58..66].copy_from_slice(&[0, 0, 0x80, 0x3F, 1, 0, 0xC0, 0x7F]);
+    payload[70..].copy_from_slice(&9.8_f32.to_le_bytes());
+    let message = ExtImuDebugInfo::decode(&payload).unwrap();
+    assert_eq!(message.ahrs_debug_info.ext_imu_packets_received_cnt, 0x0807);
+    assert_eq!((message.dcm[1], message.dcm[8]), (Float::from(-1.0), Float::from(1.0)));
+    assert_eq!(message.acc_body.x, Float::from_bits(0x7FC0_0001), "what is not a number keeps its bits");
+    assert_eq!(message.acc_body.z, Float::from(9.8));
+    is(&message, &payload);
+    assert!(ExtImuDebugInfo::decode(&payload[..73]).is_err());
+}

@@ -2,8 +2,8 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
-use crate::commands::{Confirm, ProfileId};
-use crate::wire::{Float, PerAxis, Reserved, flags};
+use crate::commands::{AutoPidFlags, Confirm, ProfileId};
+use crate::wire::{Float, PerAxis, Reserved};
 
 /// Starts or stops automatic tuning, in firmware that does not have the second version yet.
 ///
@@ -56,26 +56,6 @@ pub struct AutoPidError {
     /// Difference between the wanted and the actual response.
     pub tracking_error: Float,
     pub reserved: Reserved<6>,
-}
-
-flags! {
-    /// What automatic tuning, first version, tunes and tells; no flag at all stops it. Spec: `AUTO_PID_CFG`.
-    pub struct AutoPidFlags: u8 {
-        /// Tune roll.
-        const ROLL "AUTO_PID_CFG_ROLL" = 1 << 0;
-        /// Tune pitch.
-        const PITCH "AUTO_PID_CFG_PITCH" = 1 << 1;
-        /// Tune yaw.
-        const YAW "AUTO_PID_CFG_YAW" = 1 << 2;
-        /// Tell the progress.
-        const SEND_GUI "AUTO_PID_CFG_SEND_GUI" = 1 << 3;
-        /// Start from the present values.
-        const KEEP_CURRENT "AUTO_PID_CFG_KEEP_CURRENT" = 1 << 4;
-        /// Also tune the low-pass filter.
-        const TUNE_LPF_FREQ "AUTO_PID_CFG_TUNE_LPF_FREQ" = 1 << 5;
-        /// For all profiles.
-        const ALL_PROFILES "AUTO_PID_CFG_ALL_PROFILES" = 1 << 6;
-    }
 }
 
 /// What automatic tuning, first version, is to do. Spec: `AUTO_PID_ACTION`.

@@ -1,7 +1,7 @@
 //! Golden bytes, all made by hand from the layouts.
 
 use super::*;
-use crate::commands::ProfileId;
+use crate::commands::{AutoPidFlags, ProfileId};
 use crate::units::{GainMargin, TestAngle, TestFrequencyFrom, TestFrequencyTo};
 use crate::wire::{Float, ToWire};
 use crate::{DecodeError, Message};

@@ -89,6 +89,7 @@ impl Board {
         [
             self.line.next_out(),
             (self.line.is_busy() || self.machine.wants_poll()).then(|| next_multiple(self.now, POLL)),
+            self.machine.streams.next(),
             self.reset_at,
         ]
         .into_iter()
@@ -123,6 +124,9 @@ impl Board {
     fn happen(&mut self, time: Duration) {
         if self.reset_at.is_some_and(|at| at <= time) {
             self.reset(time);
+        }
+        for (version, sample) in self.machine.samples(time) {
+            self.line.send_sample(time, version, sample.id.raw(), &sample.payload);
         }
         if is_multiple(time, POLL) {
             self.poll(time);

@@ -6,7 +6,7 @@
 //! ```
 //!
 //! A message is weighed when its last byte is there: it is lost if it does not fit what the queue leaves of 255 bytes.
-//! An answer that does not fit the output waits, and the board waits with it.
+//! An answer that does not fit the output waits, and the board waits with it; a sample of a stream is skipped instead.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -45,6 +45,8 @@ pub struct LineCounters {
     pub skipped_bytes: u64,
     /// Messages that the board sent.
     pub sent: u64,
+    /// Samples of streams that were skipped because the output buffer was full.
+    pub skipped_samples: u64,
 }
 
 #[derive(Debug)]
@@ -185,6 +187,17 @@ impl Line {
             self.waiting.push_back(frame);
             self.counters.sent += 1;
             self.carry_out(now);
+        }
+    }
+
+    /// Sends a message, or skips it where there is no room for it.
+    pub(super) fn send_sample(&mut self, now: Duration, version: Version, id: u8, payload: &[u8]) {
+        self.carry_out(now);
+        let fits = self.waiting.is_empty() && self.has_room_for(version.frame_len(payload.len()));
+        if fits {
+            self.send(now, version, id, payload);
+        } else {
+            self.counters.skipped_samples += 1;
         }
     }
 

@@ -7,6 +7,7 @@ use super::config::Config;
 use super::control::Steering;
 use super::motion::Motion;
 use super::parameters::Parameters;
+use super::streams::Streams;
 
 #[derive(Debug)]
 pub(super) struct Machine {
@@ -14,6 +15,7 @@ pub(super) struct Machine {
     pub(super) motion: Motion,
     pub(super) steering: Steering,
     pub(super) parameters: Parameters,
+    pub(super) streams: Streams,
     pub(super) eeprom: Vec<u8>,
     /// Whether what the menu has running is to be reported when it is done.
     pub(super) menu_runs: bool,
@@ -24,7 +26,15 @@ impl Machine {
         let motion = Motion::new(config.limits, config.axes, config.motors_on);
         let parameters = Parameters::new(config.profile, &config.parameters);
         let eeprom = vec![0xFF; config.eeprom_size];
-        Self { config, motion, steering: Steering::default(), parameters, eeprom, menu_runs: false }
+        Self {
+            config,
+            motion,
+            steering: Steering::default(),
+            parameters,
+            streams: Streams::default(),
+            eeprom,
+            menu_runs: false,
+        }
     }
 
     pub(super) fn config(&self) -> &Config {
@@ -35,6 +45,7 @@ impl Machine {
     pub(super) fn reset(&mut self) {
         self.motion.restart(self.config.limits, self.config.motors_on);
         self.steering = Steering::default();
+        self.streams = Streams::default();
         self.menu_runs = false;
     }
 

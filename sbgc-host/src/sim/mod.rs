@@ -4,7 +4,7 @@
 //!  serve, in_process, pty, tcp        a stream and the clock
 //!       └─ Board                      plain state: bytes and time in, bytes out
 //!            ├─ Line                  framing, buffers, bit rate
-//!            └─ Machine               parameters, control
+//!            └─ Machine               parameters, streams, control
 //!                 ├─ answers          what each command brings about
 //!                 └─ Motion           how the camera turns
 //! ```
@@ -28,6 +28,7 @@ mod parameters;
 #[cfg(unix)]
 mod pty;
 mod serve;
+mod streams;
 mod tcp;
 
 pub use board::{Board, POLL};

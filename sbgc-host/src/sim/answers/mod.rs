@@ -7,6 +7,7 @@ mod board;
 mod control;
 mod parameters;
 mod realtime;
+mod streams;
 
 use std::time::Duration;
 
@@ -60,6 +61,7 @@ pub(super) enum Refusal {
     Parameters,
     Unknown,
     NotSupported,
+    Failed,
 }
 
 impl Refusal {
@@ -70,6 +72,7 @@ impl Refusal {
             (_, Self::Size) => FailureCode::General(ErrorCode::CmdSize),
             (_, Self::Parameters) => FailureCode::General(ErrorCode::WrongParams),
             (_, Self::Unknown) => FailureCode::General(ErrorCode::UnknownCommand),
+            (_, Self::Failed) => FailureCode::General(ErrorCode::OperationFailed),
             (_, Self::NotSupported) => FailureCode::General(ErrorCode::NotSupported),
         };
         message(&Error { cmd_id: command, error_code: code, error_data: ErrorData::new(&[0; 4]) })
@@ -129,6 +132,7 @@ impl Machine {
             OutgoingCommand::RealtimeData(_) | OutgoingCommand::RealtimeData3(_) => send(self.realtime_3()),
             OutgoingCommand::RealtimeData4(_) => send(self.realtime_4()),
             OutgoingCommand::RealtimeDataCustom(request) => send(self.realtime_custom(now, request.flags)),
+            OutgoingCommand::DataStreamInterval(request) => self.stream(now, received.version, &request),
             OutgoingCommand::Unknown { .. } => Err(Refusal::Unknown),
             _ => Err(Refusal::NotSupported),
         }

@@ -3,6 +3,7 @@
 mod control;
 mod line;
 mod memory;
+mod serving;
 mod streams;
 
 use std::time::Duration;

@@ -36,6 +36,15 @@ pub enum DecodeError {
         /// The bytes that came.
         got: usize,
     },
+    /// A value says of itself, or was described, to have a type that nobody knows, so that its length is not known.
+    UnknownType {
+        /// The spec's name of the command.
+        command: &'static str,
+        /// The spec's name of the field.
+        field: &'static str,
+        /// The number of the type.
+        raw: u8,
+    },
 }
 
 impl fmt::Display for DecodeError {
@@ -50,6 +59,9 @@ impl fmt::Display for DecodeError {
             ),
             DecodeError::NoSuchForm { command, got } => {
                 write!(f, "{command}: no form of it has a payload of {got} bytes")
+            }
+            DecodeError::UnknownType { command, field, raw } => {
+                write!(f, "{command}: {field} has the type {raw}, whose length is not known")
             }
         }
     }

@@ -4,7 +4,8 @@ use sbgc_proto_macros::{message, open_enum, record};
 
 use crate::CommandId;
 use crate::commands::{
-    CanDrvTelemetryFlags, Confirm, ImuIndex, RealtimeDataCustom2Flags, RealtimeDataCustomFlags, Switch,
+    CanDrvTelemetryFlags, Confirm, ExtMotors, ExtMotorsStateDataSet, ImuIndex, RealtimeDataCustom2Flags,
+    RealtimeDataCustomFlags, Switch,
 };
 use crate::units::StreamInterval;
 use crate::wire::{Bytes, Reserved, flags};
@@ -97,12 +98,12 @@ pub enum StreamSource {
         /// set of bits.
         drv_id: u8,
     },
-    /// State of auxiliary motors; firmware 2.73 and later.
+    /// [`ExtMotorsState`](super::ExtMotorsState) of these motors; firmware 2.73 and later.
     ExtMotorsState {
-        /// Which motors, bit 0 the first and bit 6 the seventh.
-        for_motors: u8,
-        /// What the messages hold, by the bits of that command.
-        data_set: u32,
+        /// Which motors.
+        for_motors: ExtMotors,
+        /// What the messages hold.
+        data_set: ExtMotorsStateDataSet,
     },
     /// [`RealtimeDataCustom2`](super::RealtimeDataCustom2) with these flags; firmware 2.74.2 and later.
     RealtimeDataCustom2(RealtimeDataCustom2Flags),
@@ -128,8 +129,10 @@ impl StreamSource {
                 Self::CanDrvTelemetry { flags: CanDrvTelemetryFlags::from_bits_retain(flags), drv_id: fifth }
             }
             CommandId::ExtMotorsState => Self::ExtMotorsState {
-                for_motors: first,
-                data_set: u32::from_le_bytes([second, third, fourth, fifth]),
+                for_motors: ExtMotors::from_bits_retain(first),
+                data_set: ExtMotorsStateDataSet::from_bits_retain(u32::from_le_bytes([
+                    second, third, fourth, fifth,
+                ])),
             },
             CommandId::RealtimeDataCustom2 => {
                 Self::RealtimeDataCustom2(RealtimeDataCustom2Flags::from_bits_retain(flags))
@@ -164,8 +167,8 @@ impl StreamSource {
                 StreamConfig::new([a, b, c, d, drv_id])
             }
             Self::ExtMotorsState { for_motors, data_set } => {
-                let [a, b, c, d] = data_set.to_le_bytes();
-                StreamConfig::new([for_motors, a, b, c, d])
+                let [a, b, c, d] = data_set.bits().to_le_bytes();
+                StreamConfig::new([for_motors.bits(), a, b, c, d])
             }
             Self::RealtimeDataCustom2(flags) => StreamConfig::new(flags.bits().to_le_bytes()),
         }
@@ -279,7 +282,10 @@ mod tests {
         let flags = CanDrvTelemetryFlags::from_bits_retain(0x0403_0201);
         let telemetry = StreamSource::CanDrvTelemetry { flags, drv_id: 6 };
         assert_eq!(config(telemetry), (127, [1, 2, 3, 4, 6, 0, 0, 0]));
-        let motors = StreamSource::ExtMotorsState { for_motors: 0x7F, data_set: 0x0403_0201 };
+        let motors = StreamSource::ExtMotorsState {
+            for_motors: ExtMotors::from_bits_retain(0x7F),
+            data_set: ExtMotorsStateDataSet::from_bits_retain(0x0403_0201),
+        };
         assert_eq!(config(motors), (131, [0x7F, 1, 2, 3, 4, 0, 0, 0]));
         let custom2 = StreamSource::RealtimeDataCustom2(RealtimeDataCustom2Flags::DEBUG);
         assert_eq!(config(custom2), (139, [8, 0, 0, 0, 0, 0, 0, 0]));

@@ -1,0 +1,395 @@
+//! Variables that the firmware shows for debugging.
+//!
+//! Their values come without a description, which has to be asked for before: [`DebugVarsInfo3`] names and types them,
+//! [`DebugVars3`] has the values in the same order.
+
+use sbgc_proto_macros::{message, open_enum, record};
+
+use crate::wire::{Float, FromWire, List, Reserved, Text, bit_enums, bit_fields};
+use crate::{DecodeError, Message, OutOfRange};
+
+/// Asks for names and types of the debug variables.
+#[message(
+    CMD_DEBUG_VARS_INFO_3, outgoing, form = "simple", size = 0, length = 0, answer = DebugVarsInfo3<'answer>
+)]
+#[derive(Copy)]
+pub struct DebugVarsInfo3Request {}
+
+/// Asks for names and types of the debug variables from one on.
+///
+/// They may not fit one answer: ask on, from the first that is not described yet, until an answer brings no more.
+#[message(
+    CMD_DEBUG_VARS_INFO_3, outgoing, form = "extended", size = 1, since = "2.72b0", answer = DebugVarsInfo3<'answer>
+)]
+#[derive(Copy)]
+pub struct DebugVarsInfo3ExtendedRequest {
+    /// The first variable to be described, counted from 0.
+    pub start_idx: u8,
+}
+
+/// Names and types of the debug variables.
+#[message(CMD_DEBUG_VARS_INFO_3, incoming, size = 1..=255)]
+pub struct DebugVarsInfo3<'a> {
+    /// Number of variables.
+    ///
+    /// By the specification that of this message. Newer firmware may give more than the message holds, so the list ends
+    /// where the payload does.
+    pub debug_vars_num: u8,
+    /// The variables, in the order of their values.
+    #[wire(at_most = usize::from(*debug_vars_num))]
+    pub vars: List<DebugVarInfo<'a>, 63>,
+}
+
+/// Name and type of a debug variable.
+#[record]
+#[derive(Copy)]
+pub struct DebugVarInfo<'a> {
+    /// Its name.
+    pub var_name: Text<'a>,
+    /// How its value stands on the wire and what it is.
+    pub var_type: DebugVarKind,
+    pub reserved: Reserved<2>,
+}
+
+bit_fields! {
+    /// How the value of a debug variable stands on the wire and what it is.
+    pub struct DebugVarKind: u8 {
+        /// Type of the value.
+        0..=3 => var_type / with_var_type "VAR_TYPE": DebugVarType,
+        /// Axis that it belongs to.
+        4..=5 => axis / with_axis "VAR_FLAG_AXIS": DebugVarAxis,
+        /// It is an angle in steps of 14 bits a turn.
+        6..=6 => is_angle / with_is_angle "VAR_FLAG_ANGLE14": bool,
+    }
+}
+
+impl DebugVarKind {
+    /// The value as a number, in deg where it is an angle.
+    pub fn physical(self, value: DebugVarValue) -> f64 {
+        if self.is_angle() { value.to_f64() * 360.0 / 16_384.0 } else { value.to_f64() }
+    }
+}
+
+/// Type of a debug variable. Spec: `DEBUG_VAR_TYPE`.
+#[open_enum(u8)]
+pub enum DebugVarType {
+    /// One byte.
+    #[wire(spec = "VAR_TYPE_UINT8")]
+    U8 = 1,
+    /// One byte with sign.
+    #[wire(spec = "VAR_TYPE_INT8")]
+    I8 = 2,
+    /// Two bytes.
+    #[wire(spec = "VAR_TYPE_UINT16")]
+    U16 = 3,
+    /// Two bytes with sign.
+    #[wire(spec = "VAR_TYPE_INT16")]
+    I16 = 4,
+    /// Four bytes.
+    #[wire(spec = "VAR_TYPE_UINT32")]
+    U32 = 5,
+    /// Four bytes with sign.
+    #[wire(spec = "VAR_TYPE_INT32")]
+    I32 = 6,
+    /// Float of four bytes.
+    #[wire(spec = "VAR_TYPE_FLOAT")]
+    F32 = 7,
+}
+
+/// Axis of a debug variable; the values are those of `DEBUG_VAR_FLAG` without the four bits below them.
+#[open_enum(u8)]
+pub enum DebugVarAxis {
+    /// It belongs to no axis.
+    #[wire(spec = "NONE")]
+    None = 0,
+    /// ROLL.
+    #[wire(spec = "VAR_FLAG_ROLL")]
+    Roll = 1,
+    /// PITCH.
+    #[wire(spec = "VAR_FLAG_PITCH")]
+    Pitch = 2,
+    /// YAW.
+    #[wire(spec = "VAR_FLAG_YAW")]
+    Yaw = 3,
+}
+bit_enums!(DebugVarType, DebugVarAxis);
+
+/// Asks for the values of all debug variables.
+#[message(CMD_DEBUG_VARS_3, outgoing, form = "simple", size = 0, length = 0, answer = DebugVars3<'answer>)]
+#[derive(Copy)]
+pub struct DebugVars3Request {}
+
+/// Asks for the values of some debug variables. The answer repeats the masks before the values.
+#[message(
+    CMD_DEBUG_VARS_3, outgoing, form = "extended", size = 4..=32, since = "2.72b0", answer = DebugVars3<'answer>
+)]
+pub struct DebugVars3ExtendedRequest {
+    /// Bit i of mask k asks for variable 32 k + i. As many masks as reach to the last of them.
+    pub selected_mask: List<u32, 8>,
+}
+
+impl DebugVars3ExtendedRequest {
+    /// Asks for the variables with these numbers, counted from 0.
+    ///
+    /// # Errors
+    /// When one of them is greater than 255.
+    pub fn of(variables: impl IntoIterator<Item = usize>) -> Result<Self, OutOfRange> {
+        let mut request = Self::default();
+        for variable in variables {
+            while request.selected_mask.len() <= variable / 32 {
+                request.selected_mask.push(0).map_err(|_| OutOfRange)?;
+            }
+            if let Some(mask) = request.selected_mask.get_mut(variable / 32) {
+                *mask |= 1 << (variable % 32);
+            }
+        }
+        Ok(request)
+    }
+
+    /// The numbers of the variables, in the order of their values in the answer.
+    pub fn variables(&self) -> impl Iterator<Item = usize> {
+        let masks = self.selected_mask.iter().zip((0..).step_by(32));
+        masks.flat_map(|(mask, first)| {
+            (0..32).filter(move |bit| mask >> bit & 1 != 0).map(move |bit| first + bit)
+        })
+    }
+}
+
+/// Values of debug variables, packed one after the other.
+#[message(CMD_DEBUG_VARS_3, incoming, size = 0..=255)]
+#[derive(Copy)]
+pub struct DebugVars3<'a> {
+    /// The values; to a request with masks, the masks and the values.
+    pub var_value: &'a [u8],
+}
+
+impl<'a> DebugVars3<'a> {
+    /// The values, by the kinds of the variables in the same order. It ends with the payload or with the kinds, and
+    /// after an error.
+    ///
+    /// ```
+    /// use sbgc_proto::commands::{DebugVarKind, DebugVarValue, DebugVars3};
+    ///
+    /// let message = DebugVars3 { var_value: &[200, 0x00, 0xF0] };
+    /// let mut values = message.values([DebugVarKind(1), DebugVarKind(100)]);
+    /// assert_eq!(values.next(), Some(Ok(DebugVarValue::U8(200))));
+    /// assert_eq!(values.next(), Some(Ok(DebugVarValue::I16(-4096))));
+    /// assert_eq!(values.next(), None);
+    /// ```
+    pub fn values<K: IntoIterator<Item = DebugVarKind>>(&self, kinds: K) -> DebugVarValues<'a, K::IntoIter> {
+        DebugVarValues { payload: self.var_value, rest: self.var_value, kinds: kinds.into_iter() }
+    }
+
+    /// Takes it as the answer to a request with so many masks.
+    ///
+    /// # Errors
+    /// When it has not even the masks.
+    pub fn masked(&self, masks: usize) -> Result<DebugVars3Masked<'a>, DecodeError> {
+        DebugVars3Masked::decode_with(self.var_value, masks).map(|(message, _)| message)
+    }
+}
+
+/// Values of the debug variables that were asked for.
+///
+/// The masks come first, as newer sources agree; the vendor's C library passes over them in a way that cannot be right.
+#[message(
+    CMD_DEBUG_VARS_3, incoming, form = "masked", size = 4..=255, since = "2.72b0", context(masks: usize)
+)]
+pub struct DebugVars3Masked<'a> {
+    /// The masks of the request, as many as it had.
+    #[wire(count = *masks)]
+    pub selected_mask: List<u32, 8>,
+    /// The values.
+    pub var_value: &'a [u8],
+}
+
+impl<'a> DebugVars3Masked<'a> {
+    /// The values, by the kinds of the variables that were asked for.
+    pub fn values<K: IntoIterator<Item = DebugVarKind>>(&self, kinds: K) -> DebugVarValues<'a, K::IntoIter> {
+        DebugVars3 { var_value: self.var_value }.values(kinds)
+    }
+}
+
+/// The value of a debug variable.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[allow(missing_docs, reason = "the variants are the types")]
+pub enum DebugVarValue {
+    U8(u8),
+    I8(i8),
+    U16(u16),
+    I16(i16),
+    U32(u32),
+    I32(i32),
+    F32(Float),
+}
+
+impl DebugVarValue {
+    /// The number; a 64-bit float holds each of them.
+    pub fn to_f64(self) -> f64 {
+        match self {
+            DebugVarValue::U8(value) => value.into(),
+            DebugVarValue::I8(value) => value.into(),
+            DebugVarValue::U16(value) => value.into(),
+            DebugVarValue::I16(value) => value.into(),
+            DebugVarValue::U32(value) => value.into(),
+            DebugVarValue::I32(value) => value.into(),
+            DebugVarValue::F32(value) => value.get().into(),
+        }
+    }
+}
+
+/// The values of a message, one after the other. Made by [`DebugVars3::values`].
+#[derive(Clone, Debug)]
+pub struct DebugVarValues<'a, K> {
+    payload: &'a [u8],
+    rest: &'a [u8],
+    kinds: K,
+}
+
+impl<'a, K> DebugVarValues<'a, K> {
+    /// What of the payload was not read yet.
+    pub fn rest(&self) -> &'a [u8] {
+        self.rest
+    }
+
+    fn take<T: FromWire<'a>>(&mut self, make: fn(T) -> DebugVarValue) -> Result<DebugVarValue, DecodeError> {
+        match T::read(self.rest, ()) {
+            Ok((rest, value)) => {
+                self.rest = rest;
+                Ok(make(value))
+            }
+            Err(_) => Err(DecodeError::Truncated {
+                command: DebugVars3::SPEC,
+                field: "VAR_VALUE",
+                offset: self.payload.len() - self.rest.len(),
+                needed: T::MIN_LEN,
+                got: core::mem::take(&mut self.rest).len(),
+            }),
+        }
+    }
+}
+
+impl<K: Iterator<Item = DebugVarKind>> Iterator for DebugVarValues<'_, K> {
+    type Item = Result<DebugVarValue, DecodeError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.rest.is_empty() {
+            return None;
+        }
+        Some(match self.kinds.next()?.var_type() {
+            DebugVarType::U8 => self.take(DebugVarValue::U8),
+            DebugVarType::I8 => self.take(DebugVarValue::I8),
+            DebugVarType::U16 => self.take(DebugVarValue::U16),
+            DebugVarType::I16 => self.take(DebugVarValue::I16),
+            DebugVarType::U32 => self.take(DebugVarValue::U32),
+            DebugVarType::I32 => self.take(DebugVarValue::I32),
+            DebugVarType::F32 => self.take(DebugVarValue::F32),
+            DebugVarType::Unknown(raw) => {
+                self.rest = &[];
+                Err(DecodeError::UnknownType { command: DebugVars3::SPEC, field: "VAR_TYPE", raw })
+            }
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::EncodeError;
+
+    /// Made by hand from the layout.
+    #[test]
+    fn variables_are_described() {
+        let payload =
+            [2, 4, b'E', b'R', b'R', b'1', 0x01, 0, 0, 5, b'A', b'N', b'G', b'_', b'P', 0x64, 0xAB, 0xCD];
+        let info = DebugVarsInfo3::decode(&payload).unwrap();
+        assert_eq!(info.debug_vars_num, 2);
+        let [error, angle] = info.vars[..] else { panic!("two variables") };
+        assert_eq!((error.var_name.as_str(), error.var_type.var_type()), (Ok("ERR1"), DebugVarType::U8));
+        assert_eq!(angle.var_name.as_str(), Ok("ANG_P"));
+        assert_eq!((angle.var_type.axis(), angle.var_type.is_angle()), (DebugVarAxis::Pitch, true));
+        assert_eq!(angle.reserved.0, [0xAB, 0xCD]);
+        assert_eq!(info.encode(&mut [0; 255]), Ok(&payload[..]));
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn the_number_of_variables_may_be_that_of_all_messages() {
+        let payload = [200, 1, b'A', 3, 0, 0, 1, b'B', 0x84, 0, 0];
+        let (info, rest) = DebugVarsInfo3::decode_prefix(&payload).unwrap();
+        assert_eq!((info.vars.len(), rest), (2, &[][..]));
+        assert_eq!(info.encode(&mut [0; 255]), Ok(&payload[..]));
+        let (info, rest) = DebugVarsInfo3::decode_prefix(&payload[..10]).unwrap();
+        assert_eq!((info.vars.len(), rest), (1, &payload[6..10]));
+        assert_eq!(DebugVarsInfo3::decode(&[0]).unwrap().vars.len(), 0);
+        assert!(DebugVarsInfo3::decode(&[]).is_err());
+        let short = DebugVarsInfo3 { debug_vars_num: 1, ..info.clone() };
+        assert!(short.encode(&mut [0; 255]).is_ok());
+        let none = DebugVarsInfo3 { debug_vars_num: 0, ..info };
+        assert_eq!(
+            none.encode(&mut [0; 255]),
+            Err(EncodeError::Count { field: "VARS", expected: 0, got: 1 })
+        );
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn values_are_read_by_their_kinds() {
+        let payload =
+            [49, 0xBC, 0x58, 0x82, 0x1D, 0x75, 0x0B, 0xC6, 9, 0x3E, 0x78, 0x39, 0xBD, 0x22, 0, 0, 0xC0, 0x3F];
+        let kinds = (1..=7).map(DebugVarKind);
+        let message = DebugVars3::decode(&payload).unwrap();
+        assert_eq!(message.encode(&mut [0; 255]), Ok(&payload[..]));
+        let values: Vec<_> = message.values(kinds.clone()).map(Result::unwrap).collect();
+        assert_eq!(
+            values,
+            [
+                DebugVarValue::U8(49),
+                DebugVarValue::I8(-68),
+                DebugVarValue::U16(33368),
+                DebugVarValue::I16(29981),
+                DebugVarValue::U32(0x3E09_C60B),
+                DebugVarValue::I32(0x22BD_3978),
+                DebugVarValue::F32(1.5.into()),
+            ]
+        );
+        let cut = DebugVars3::decode(&payload[..17]).unwrap();
+        assert_eq!(
+            cut.values(kinds).last(),
+            Some(Err(DecodeError::Truncated {
+                command: "CMD_DEBUG_VARS_3",
+                field: "VAR_VALUE",
+                offset: 14,
+                needed: 4,
+                got: 3
+            }))
+        );
+        let mut unknown = message.values([DebugVarKind(1), DebugVarKind(0x18), DebugVarKind(1)]).skip(1);
+        assert!(matches!(unknown.next(), Some(Err(DecodeError::UnknownType { raw: 8, .. }))));
+        assert_eq!(unknown.next(), None);
+        assert!((DebugVarKind(0x44).physical(DebugVarValue::I16(-4096)) + 90.0).abs() < 1e-9);
+    }
+
+    /// Made by hand from the layout.
+    #[test]
+    fn masks_choose_variables() {
+        let request = DebugVars3ExtendedRequest::of([5, 1, 2, 3, 4]).unwrap();
+        assert_eq!(request.encode(&mut [0; 32]), Ok(&[0x3E, 0, 0, 0][..]));
+        let request = DebugVars3ExtendedRequest::of([0, 33, 255]).unwrap();
+        assert_eq!(request.selected_mask.len(), 8);
+        assert_eq!(request.variables().collect::<Vec<_>>(), [0, 33, 255]);
+        assert!(DebugVars3ExtendedRequest::of([256]).is_err());
+        assert!(DebugVars3Request::accepts(0) && !DebugVars3Request::accepts(4));
+
+        let payload = [0x06, 0, 0, 0, 200, 0, 0xF0];
+        let masked = DebugVars3::decode(&payload).unwrap().masked(1).unwrap();
+        assert_eq!(masked.selected_mask[..], [6]);
+        let values: Vec<_> =
+            masked.values([DebugVarKind(1), DebugVarKind(100)]).map(Result::unwrap).collect();
+        assert_eq!(values, [DebugVarValue::U8(200), DebugVarValue::I16(-4096)]);
+        assert_eq!(masked.encode_with(1, &mut [0; 255]), Ok(&payload[..]));
+        assert!(DebugVars3::decode(&payload).unwrap().masked(2).is_err());
+    }
+}

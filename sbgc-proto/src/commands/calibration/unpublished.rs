@@ -27,8 +27,6 @@ unpublished! {
         "Calibrates the magnetic linkage of the motors";
     CMD_COGGING_CALIB_INFO: CoggingCalibInfoRequest, CoggingCalibInfo,
         "By its name, how a calibration of cogging is going";
-    CMD_CAN_DRV_CALIBRATE: CanDrvCalibrateRequest, CanDrvCalibrate,
-        "Calibrates a motor driver on the CAN bus";
     CMD_IMU_ADVANCED_CALIB: ImuAdvancedCalibRequest, ImuAdvancedCalib,
         "Advanced calibration of an inertial sensor";
     CMD_CALIB_ENCODER_LUT: CalibEncoderLutRequest, CalibEncoderLut,

@@ -2,5 +2,8 @@
 
 #[cfg(feature = "capture")]
 pub mod capture;
+pub mod link;
 #[cfg(feature = "sim")]
 pub mod sim;
+
+pub use sbgc_proto as proto;

@@ -12,5 +12,7 @@
 
 pub mod codec;
 mod counters;
+mod key;
+pub mod session;
 
 pub use counters::LinkCounters;

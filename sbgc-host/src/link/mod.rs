@@ -7,12 +7,18 @@
 //!                                                          task     moves the bytes, keeps the time
 //! ```
 //!
-//! Here live framing over tokio's buffers, the table of requests in flight, pacing, and the task that ties them to
-//! a port. What payloads mean belongs to [`gimbal`](crate::gimbal), opening ports to [`transport`](crate::transport).
+//! Here live framing over tokio's buffers, the table of requests in flight, pacing, the data streams that run, and
+//! the task that ties them to a port. What payloads mean is the business of [`Gimbal`](crate::Gimbal), opening ports
+//! that of [`transport`](crate::transport).
 
 pub mod codec;
 mod counters;
 mod key;
+mod pacer;
+mod registry;
 pub mod session;
+pub(crate) mod shared;
+pub(crate) mod task;
 
 pub use counters::LinkCounters;
+pub use shared::LinkState;

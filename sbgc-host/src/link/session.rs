@@ -93,7 +93,8 @@ pub enum Verdict<W> {
 #[derive(Debug)]
 struct Queued<W> {
     call: Call,
-    waiter: W,
+    /// `None` for a command whose answer nobody waits for.
+    waiter: Option<W>,
     /// Until when the graves of unawaited commands may hold it back.
     hold: Instant,
 }
@@ -144,9 +145,14 @@ impl<W> Default for Session<W> {
 }
 
 impl<W: Waiter> Session<W> {
-    /// How many requests wait to be sent.
+    /// How many requests and commands wait to be sent.
     pub fn queued(&self) -> usize {
         self.queued.len()
+    }
+
+    /// Whether there is something to send.
+    pub fn wants_to_send(&self, now: Instant) -> bool {
+        self.in_flight.iter().any(|entry| entry.again) || self.eligible(now).is_some()
     }
 
     /// How many requests ended without an answer.
@@ -161,37 +167,65 @@ impl<W: Waiter> Session<W> {
 
     /// Takes a request.
     pub fn request(&mut self, now: Instant, call: Call, waiter: W) {
-        self.queued.push_back(Queued { call, waiter, hold: now + GRACE });
+        self.queued.push_back(Queued { call, waiter: Some(waiter), hold: now + GRACE });
     }
 
-    /// A command was sent whose confirmation nobody waits for: it must not be taken for that of another.
+    /// Takes a command whose answer, if there is one, nobody waits for.
+    pub fn send(&mut self, now: Instant, command: u8, payload: Bytes) {
+        let key = Key::confirmation(command);
+        let call = Call { command, payload, key, timeout: Duration::ZERO, attempts: 1 };
+        self.queued.push_back(Queued { call, waiter: None, hold: now });
+    }
+
+    /// A command was sent past this table: its confirmation must not be taken for that of another.
     pub fn sent_unawaited(&mut self, now: Instant, command: u8) {
         self.bury(now, Key::confirmation(command), command, 1, false);
     }
 
-    /// The next frame that may be sent, and starts its time. `None` if there is none or all must wait.
-    pub fn next_to_send(&mut self, now: Instant) -> Option<Outgoing> {
+    /// The next frame that may be sent, and starts its time. `None` if there is none, if all must wait, or if its
+    /// payload is longer than `room`.
+    pub fn next_to_send(&mut self, now: Instant, room: usize) -> Option<Outgoing> {
         if let Some(entry) = self.in_flight.iter_mut().find(|entry| entry.again) {
+            if entry.call.payload.len() > room {
+                return None;
+            }
             entry.again = false;
             entry.sent = entry.sent.saturating_add(1);
             entry.deadline = now + entry.call.timeout;
             self.repeats += 1;
             return Some(Outgoing { command: entry.call.command, payload: entry.call.payload.clone() });
         }
-        self.queued.retain(|queued| !queued.waiter.is_gone());
+        self.queued.retain(|queued| queued.waiter.as_ref().is_none_or(|waiter| !waiter.is_gone()));
         self.graves.retain(|grave| grave.until > now);
-        let index = (0..self.queued.len()).find(|&index| self.may_go(now, index))?;
+        let index = self.eligible(now)?;
+        if self.queued.get(index)?.call.payload.len() > room {
+            return None;
+        }
         let Queued { call, waiter, .. } = self.queued.remove(index)?;
-        // Whatever held it back that long has had its time.
-        self.graves.retain(|grave| !grave.key.overlaps(&call.key));
         let outgoing = Outgoing { command: call.command, payload: call.payload.clone() };
-        let deadline = now + call.timeout;
-        self.in_flight.push_back(InFlight { call, waiter, first_sent: now, deadline, sent: 1, again: false });
+        match waiter {
+            Some(waiter) => {
+                // Whatever held it back that long has had its time.
+                self.graves.retain(|grave| !grave.key.overlaps(&call.key));
+                let deadline = now + call.timeout;
+                let (first_sent, sent, again) = (now, 1, false);
+                self.in_flight.push_back(InFlight { call, waiter, first_sent, deadline, sent, again });
+            }
+            None => self.sent_unawaited(now, call.command),
+        }
         Some(outgoing)
+    }
+
+    /// Place in the queue of the next one that may be sent.
+    fn eligible(&self, now: Instant) -> Option<usize> {
+        (0..self.queued.len()).find(|&index| self.may_go(now, index))
     }
 
     fn may_go(&self, now: Instant, index: usize) -> bool {
         let Some(queued) = self.queued.get(index) else { return false };
+        if queued.waiter.is_none() {
+            return true;
+        }
         let key = &queued.call.key;
         let first = !self.queued.iter().take(index).any(|earlier| earlier.call.key.overlaps(key));
         let alone = !self.in_flight.iter().any(|entry| entry.call.key.overlaps(key));
@@ -271,7 +305,8 @@ impl<W: Waiter> Session<W> {
     /// something new.
     pub fn next_deadline(&self, now: Instant) -> Option<Instant> {
         let answers = self.in_flight.iter().filter(|entry| !entry.again).map(|entry| entry.deadline);
-        let releases = self.queued.iter().filter_map(|queued| self.release(queued));
+        let awaited = self.queued.iter().filter(|queued| queued.waiter.is_some());
+        let releases = awaited.filter_map(|queued| self.release(queued));
         answers.chain(releases.filter(|&release| release > now)).min()
     }
 
@@ -298,11 +333,24 @@ impl<W: Waiter> Session<W> {
         }
     }
 
-    /// The port is gone, or the link is to end. Nothing is in flight any more; returns who waited.
+    /// The port is gone: nothing is in flight any more and nothing will be sent. Returns who waited.
     pub fn on_disconnect(&mut self) -> Vec<W> {
+        let waiting = self.dismiss();
+        self.queued.clear();
+        waiting
+    }
+
+    /// Gives up all requests, but not the commands that nobody waits for. Returns who waited.
+    pub fn dismiss(&mut self) -> Vec<W> {
         self.graves.clear();
-        let in_flight = self.in_flight.drain(..).map(|entry| entry.waiter);
-        in_flight.chain(self.queued.drain(..).map(|queued| queued.waiter)).collect()
+        let mut waiting: Vec<W> = self.in_flight.drain(..).map(|entry| entry.waiter).collect();
+        for queued in std::mem::take(&mut self.queued) {
+            match queued.waiter {
+                Some(waiter) => waiting.push(waiter),
+                None => self.queued.push_back(queued),
+            }
+        }
+        waiting
     }
 }
 

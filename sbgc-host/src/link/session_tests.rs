@@ -42,7 +42,7 @@ fn write(command: u8) -> Call {
 }
 
 fn sent(session: &mut Session<Who>, now: Instant) -> Vec<u8> {
-    std::iter::from_fn(|| session.next_to_send(now)).map(|outgoing| outgoing.command).collect()
+    std::iter::from_fn(|| session.next_to_send(now, 255)).map(|outgoing| outgoing.command).collect()
 }
 
 fn answer(name: &'static str, payload: &[u8]) -> Verdict<Who> {
@@ -268,4 +268,37 @@ fn a_disconnect_releases_everybody() {
     assert_eq!(session.on_disconnect(), [who("a"), who("b")]);
     assert_eq!((session.next_deadline(now), session.queued()), (None, 0));
     assert_eq!(session.on_frame(now, 73, &bytes(&[])), Verdict::Unsolicited);
+}
+
+#[test]
+fn commands_keep_their_order_among_requests() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.send(now, 119, bytes(&[1]));
+    session.request(now, write(22), who("a"));
+    session.send(now, 119, bytes(&[0]));
+    assert!(session.wants_to_send(now));
+    assert_eq!(sent(&mut session, now), [119, 22, 119]);
+    assert!(!session.wants_to_send(now));
+    assert_eq!(session.on_frame(now, 67, &bytes(&[119])), Verdict::Unawaited);
+}
+
+#[test]
+fn what_does_not_fit_is_not_overtaken() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.send(now, 1, bytes(&[0; 100]));
+    session.send(now, 2, bytes(&[0; 10]));
+    assert_eq!(session.next_to_send(now, 99), None);
+    assert_eq!(session.queued(), 2);
+    assert_eq!(sent(&mut session, now), [1, 2]);
+}
+
+#[test]
+fn the_end_gives_up_requests_and_keeps_commands() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.request(now, read(73, &[]), who("a"));
+    session.request(now, read(73, &[]), who("b"));
+    assert_eq!(session.next_to_send(now, 255).map(|outgoing| outgoing.command), Some(73));
+    session.send(now, 85, bytes(&[]));
+    assert_eq!(session.dismiss(), [who("a"), who("b")]);
+    assert_eq!(sent(&mut session, now), [85]);
 }

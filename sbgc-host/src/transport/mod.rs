@@ -62,6 +62,19 @@ impl Address {
     ///
     /// The simulated board has no port: this crate's feature `sim` makes one to be given to
     /// [`Gimbal::new`](crate::Gimbal::new) itself.
+    ///
+    /// ```no_run
+    /// # async fn example() -> sbgc_host::Result<()> {
+    /// use sbgc_host::transport::{Address, Line};
+    /// use sbgc_host::{Gimbal, Options};
+    ///
+    /// let address: Address = "/dev/ttyUSB0".parse()?;
+    /// let line = Line::default();
+    /// let gimbal = Gimbal::spawn(address.open(line).await?, Options { baud: address.baud(line), ..Options::default() });
+    /// println!("{}", gimbal.handshake().await?.firmware_ver);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub async fn open(&self, line: Line) -> Result<Io> {
         match self {
             Self::Tcp { host, port } => Ok(Box::new(connect_tcp(host, *port).await?)),

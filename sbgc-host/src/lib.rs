@@ -15,6 +15,10 @@
 //! - [`transport`] opens ports; [`link`] is what the task is made of.
 //!
 //! ```no_run
+//! use std::time::Duration;
+//!
+//! use sbgc_host::proto::units::{Angle, ControlRate};
+//! use sbgc_host::proto::wire::PerAxis;
 //! use sbgc_host::transport::{Address, Line};
 //! use sbgc_host::{Gimbal, Options};
 //!
@@ -26,6 +30,9 @@
 //! let board = gimbal.handshake().await?;
 //! println!("firmware {}", board.firmware_ver);
 //!
+//! gimbal.motors_on().await?;
+//! let down = PerAxis { pitch: Some(Angle::from_degrees(-30.0)), ..PerAxis::default() };
+//! gimbal.move_to(down, ControlRate::from_degrees_per_second(20.0), Duration::from_secs(10)).await?;
 //! println!("{}", gimbal.angles().await?.axes.pitch.imu_angle.degrees());
 //! gimbal.close().await;
 //! # Ok(())

@@ -6,6 +6,7 @@
 
 mod answer;
 mod handshake;
+mod motion;
 mod options;
 
 use std::future::Future;

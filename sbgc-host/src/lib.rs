@@ -1,6 +1,91 @@
-//! Async driver for SimpleBGC32 boards.
+//! Async driver for SimpleBGC32 boards: requests, data streams and motion over any byte stream.
+//!
+//! ```text
+//!   Gimbal ─┐  clones of one handle             serial port, TCP, anything
+//!   Gimbal ─┼─► channel ─► the task ◄──────────► AsyncRead + AsyncWrite
+//!   Gimbal ─┘             │  owns the port; knows who waits for what, how long,
+//!                         │  and how much the board can take
+//!   Subscription ◄─ queue ┘  bounded, loses its oldest
+//! ```
+//!
+//! - [`Gimbal`] is the handle: typed requests, confirmed commands, set-points, motion that is waited for.
+//! - [`Connection`] is the task. Nobody else touches the port, so a slow caller holds up no other, and a caller that
+//!   gives up leaves nothing behind.
+//! - [`Subscription`] yields what the board sends on its own.
+//! - [`transport`] opens ports; [`link`] is what the task is made of.
+//!
+//! ```no_run
+//! use std::time::Duration;
+//!
+//! use sbgc_host::proto::units::{Angle, ControlRate};
+//! use sbgc_host::proto::wire::PerAxis;
+//! use sbgc_host::transport::{Address, Line};
+//! use sbgc_host::{Gimbal, Options};
+//!
+//! # async fn example() -> sbgc_host::Result<()> {
+//! let (address, line): (Address, _) = ("/dev/ttyUSB0".parse()?, Line::default());
+//! let options = Options { baud: address.baud(line), ..Options::default() };
+//! let gimbal = Gimbal::spawn(address.open(line).await?, options);
+//!
+//! let board = gimbal.handshake().await?;
+//! println!("firmware {}", board.firmware_ver);
+//!
+//! gimbal.motors_on().await?;
+//! let down = PerAxis { pitch: Some(Angle::from_degrees(-30.0)), ..PerAxis::default() };
+//! gimbal.move_to(down, ControlRate::from_degrees_per_second(20.0), Duration::from_secs(10)).await?;
+//! println!("{}", gimbal.angles().await?.axes.pitch.imu_angle.degrees());
+//! gimbal.close().await;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! No board is needed for tests: anything that can be read and written will do, such as one end of
+//! [`tokio::io::duplex`].
+//!
+//! ```
+//! use sbgc_host::proto::frame::{self, Version};
+//! use sbgc_host::{Gimbal, Options};
+//! use tokio::io::{AsyncReadExt, AsyncWriteExt};
+//!
+//! # #[tokio::main(flavor = "current_thread")]
+//! # async fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let (near, mut board) = tokio::io::duplex(256);
+//! let gimbal = Gimbal::spawn(near, Options::default());
+//! let (angles, answered) = tokio::join!(gimbal.angles(), async {
+//!     board.read_exact(&mut [0; 6]).await?;
+//!     let mut buffer = [0; frame::MAX_FRAME];
+//!     let answer = frame::encode_into(Version::V2, 73, &[0, 16].repeat(9), &mut buffer)?;
+//!     board.write_all(answer).await?;
+//!     Ok::<_, Box<dyn std::error::Error>>(())
+//! });
+//! answered?;
+//! assert_eq!(angles?.axes.pitch.imu_angle.degrees(), 90.0);
+//! # Ok(())
+//! # }
+//! ```
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::indexing_slicing,
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable
+    )
+)]
 
 #[cfg(feature = "capture")]
 pub mod capture;
+mod error;
+pub mod gimbal;
+pub mod link;
 #[cfg(feature = "sim")]
 pub mod sim;
+pub mod streams;
+pub mod transport;
+
+pub use error::{Error, Result};
+pub use gimbal::{Answer, Connection, Gimbal, Options, VersionChoice};
+pub use link::{LinkCounters, LinkState};
+pub use sbgc_proto as proto;
+pub use streams::{Sample, StreamRequest, Subscription, TypedStream};

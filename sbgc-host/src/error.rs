@@ -1,0 +1,198 @@
+//! What can go wrong on the way to a board and back.
+
+use std::io;
+use std::path::PathBuf;
+use std::time::Duration;
+
+use bytes::Bytes;
+use sbgc_proto::{DecodeError, EncodeError};
+
+/// [`std::result::Result`] with this crate's [`Error`].
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// Why something did not work.
+///
+/// A board that says no ([`Refused`](Self::Refused)) is another matter than one that cannot be reached.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// The port failed.
+    #[error("the port failed: {0}")]
+    Io(#[from] io::Error),
+    /// The port or the connection went away while something waited on it.
+    #[error("the connection to the board was lost; check cable and power, then connect again")]
+    Disconnected,
+    /// No answer came in time.
+    #[error(
+        "{command}: no answer after {after:?} ({attempts} {}); check power, cable, baud rate and parity",
+        if *attempts == 1 { "attempt" } else { "attempts" }
+    )]
+    Timeout {
+        /// The spec's name of the command.
+        command: &'static str,
+        /// How long was waited in all.
+        after: Duration,
+        /// How often it was sent.
+        attempts: u32,
+    },
+    /// The board answered that it does not do it.
+    #[error("{command}: the board refused with error {code}{}{}", NameOf(*.name), DataOf(.data))]
+    Refused {
+        /// The spec's name of the command.
+        command: &'static str,
+        /// The error code.
+        code: u8,
+        /// The spec's name of the error code, where it has one.
+        name: Option<&'static str>,
+        /// What the board says besides; its meaning depends on the command.
+        data: Bytes,
+    },
+    /// The answer is not the message that it should be.
+    #[error("the answer cannot be read: {0}")]
+    Decode(#[from] DecodeError),
+    /// The message contradicts itself or is too long.
+    #[error("the message cannot be written: {0}")]
+    Encode(#[from] EncodeError),
+    /// The frame would not fit the board's input buffer of 255 bytes, so the board would lose it.
+    #[error(
+        "{command}: a payload of {length} bytes does not fit the board's input buffer, {limit} bytes do; send less at once"
+    )]
+    PayloadTooLong {
+        /// The spec's name of the command.
+        command: &'static str,
+        /// Bytes of the payload.
+        length: usize,
+        /// Bytes that would fit.
+        limit: usize,
+    },
+    /// The link was closed from this side.
+    #[error("the link is closed; connect again")]
+    Closed,
+    /// The same stream is running at another rate.
+    #[error(
+        "{command}: this stream already runs at {running_ms} ms, so it cannot also run at {asked_ms} ms; ask for {running_ms} ms or end the other one"
+    )]
+    StreamInUse {
+        /// The spec's name of the streamed command.
+        command: &'static str,
+        /// The interval at which it runs.
+        running_ms: u16,
+        /// The interval that was asked for.
+        asked_ms: u16,
+    },
+    /// The gimbal did not reach its target in time. It may still be moving.
+    #[error(
+        "the target was not reached within {after:?}; check that the motors are on and that nothing blocks them, or allow more time"
+    )]
+    NotReached {
+        /// How long was waited.
+        after: Duration,
+    },
+    /// There is no such port.
+    #[error("there is no port {name}; {}", PortList(.available))]
+    NoSuchPort {
+        /// What was asked for.
+        name: String,
+        /// The ports that there are.
+        available: Vec<crate::transport::PortInfo>,
+    },
+    /// The operating system does not let this user open the port.
+    #[error("no permission to open {}{}", .path.display(), GroupHint(.group))]
+    PermissionDenied {
+        /// The device.
+        path: PathBuf,
+        /// The group whose members may open it, if there is one.
+        group: Option<String>,
+    },
+    /// Another program has the port open.
+    #[error("{} is in use by another program; close that first", .path.display())]
+    PortBusy {
+        /// The device.
+        path: PathBuf,
+    },
+    /// No address of a board.
+    #[error(
+        "\"{address}\" is no address of a board; expected a serial port (/dev/ttyUSB0, COM3), tcp://HOST:PORT or sim"
+    )]
+    BadAddress {
+        /// What was given.
+        address: String,
+    },
+    /// This build cannot open such a port.
+    #[error("{address} needs the feature \"{feature}\", which this program was built without")]
+    NotBuilt {
+        /// What was asked for.
+        address: String,
+        /// The feature of this crate that is missing.
+        feature: &'static str,
+    },
+}
+
+struct NameOf(Option<&'static str>);
+struct DataOf<'a>(&'a Bytes);
+struct PortList<'a>(&'a [crate::transport::PortInfo]);
+struct GroupHint<'a>(&'a Option<String>);
+
+impl std::fmt::Display for NameOf {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.map_or(Ok(()), |name| write!(f, " ({name})"))
+    }
+}
+
+impl std::fmt::Display for DataOf<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if self.0.iter().all(|&byte| byte == 0) {
+            return Ok(());
+        }
+        f.write_str(", data")?;
+        self.0.iter().try_for_each(|byte| write!(f, " {byte:02x}"))
+    }
+}
+
+impl std::fmt::Display for PortList<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Some((first, rest)) = self.0.split_first() else {
+            return f.write_str("no serial port was found; check that the board is plugged in and powered");
+        };
+        write!(f, "there {} {first}", if rest.is_empty() { "is" } else { "are" })?;
+        rest.iter().try_for_each(|port| write!(f, ", {port}"))
+    }
+}
+
+impl std::fmt::Display for GroupHint<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0 {
+            Some(group) => write!(f, "; add your user to the group {group} and log in again"),
+            None => f.write_str("; ask for access to this device"),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_say_what_to_do() {
+        let timeout =
+            Error::Timeout { command: "CMD_BOARD_INFO", after: Duration::from_millis(1500), attempts: 3 };
+        assert_eq!(
+            timeout.to_string(),
+            "CMD_BOARD_INFO: no answer after 1.5s (3 attempts); check power, cable, baud rate and parity"
+        );
+        let refused = Error::Refused {
+            command: "CMD_AUTO_PID2",
+            code: 2,
+            name: Some("ERR_WRONG_PARAMS"),
+            data: Bytes::from_static(&[1, 0, 0, 0]),
+        };
+        assert_eq!(
+            refused.to_string(),
+            "CMD_AUTO_PID2: the board refused with error 2 (ERR_WRONG_PARAMS), data 01 00 00 00"
+        );
+        let missing = Error::NoSuchPort { name: "ttyUSB7".into(), available: Vec::new() };
+        assert!(missing.to_string().ends_with("check that the board is plugged in and powered"));
+        let denied = Error::PermissionDenied { path: "/dev/ttyUSB0".into(), group: Some("dialout".into()) };
+        assert!(denied.to_string().contains("group dialout"));
+    }
+}

@@ -1,0 +1,332 @@
+//! The handle to a board.
+//!
+//! Here live [`Gimbal`], what it can be asked in general, and how it is set up. Motion that is waited for is in
+//! `motion`, data streams are in [`streams`](crate::streams); whole parameter sets, calibrations and files stand above
+//! this module and use nothing but it.
+
+mod answer;
+mod handshake;
+mod motion;
+mod options;
+
+use std::future::Future;
+use std::io;
+use std::pin::Pin;
+use std::sync::Arc;
+use std::task::{Context, Poll};
+use std::time::Duration;
+
+use bytes::Bytes;
+use sbgc_proto::commands::{
+    Angles, AnglesExt, BoardInfo, BoardInfo3, BoardInfo3Request, Confirm, Control, ExecuteMenu, FailureCode,
+    GetAngles, GetAnglesExt, MenuCommand, MotorsOff, MotorsOffMode, MotorsOn, Params3, ProfileId,
+    ReadParams3,
+};
+use sbgc_proto::frame::{MAX_PAYLOAD, Version};
+use sbgc_proto::wire::{FromWire, ToWire};
+use sbgc_proto::{CommandId, Direction, EncodeError, Message, Request};
+use tokio::io::{AsyncRead, AsyncWrite};
+use tokio::sync::{mpsc, oneshot, watch};
+use tokio::time::Instant;
+
+pub use answer::Answer;
+pub use options::{Options, VersionChoice};
+
+use crate::link::session::{Call, Failure, Key};
+use crate::link::shared::{Command, Shared};
+use crate::link::task::Task;
+use crate::link::{LinkCounters, LinkState};
+use crate::{Error, Result};
+
+/// How many commands may wait for the task.
+const CHANNEL: usize = 32;
+
+/// A board at the other end of a link.
+///
+/// A cheap handle: clones talk to the same task, which owns the port and ends when the last of them is dropped. All
+/// methods take `&self`, and whatever they wait for is given up by dropping their future. A request that was dropped
+/// after it was sent is carried out all the same; its answer is put aside.
+#[derive(Clone, Debug)]
+pub struct Gimbal {
+    pub(crate) shared: Arc<Shared>,
+    pub(crate) commands: mpsc::Sender<Command>,
+    pub(crate) options: Options,
+}
+
+/// The task that owns the port, to be spawned. It is done when the port is.
+///
+/// `Ok` after the last handle was dropped or one of them closed the link, else what happened to the port.
+#[must_use = "nothing happens on the port until this is polled"]
+pub struct Connection(Pin<Box<dyn Future<Output = io::Result<()>> + Send>>);
+
+impl Future for Connection {
+    type Output = io::Result<()>;
+
+    fn poll(mut self: Pin<&mut Self>, context: &mut Context<'_>) -> Poll<Self::Output> {
+        self.0.as_mut().poll(context)
+    }
+}
+
+impl std::fmt::Debug for Connection {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Connection").finish_non_exhaustive()
+    }
+}
+
+impl Gimbal {
+    /// A handle to what is at the other end of `io`, and the task that serves it.
+    ///
+    /// `io` must not keep written bytes back. Nothing is sent yet; [`handshake`](Self::handshake) finds out whether
+    /// there is a board.
+    ///
+    /// # Panics
+    /// Not here, but the task needs a tokio runtime with time enabled.
+    pub fn new<Io>(io: Io, options: Options) -> (Self, Connection)
+    where
+        Io: AsyncRead + AsyncWrite + Unpin + Send + 'static,
+    {
+        let shared = Arc::new(Shared::new(options.version.first()));
+        let (commands, receiver) = mpsc::channel(CHANNEL);
+        let task = Task::new(Arc::clone(&shared), receiver, options.baud, options.gap, Instant::now());
+        (Self { shared, commands, options }, Connection(Box::pin(task.run(io))))
+    }
+
+    /// The same with the task already spawned on the present tokio runtime.
+    ///
+    /// # Panics
+    /// Outside of a tokio runtime.
+    pub fn spawn<Io>(io: Io, options: Options) -> Self
+    where
+        Io: AsyncRead + AsyncWrite + Unpin + Send + 'static,
+    {
+        let (gimbal, connection) = Self::new(io, options);
+        tokio::spawn(async move {
+            if let Err(error) = connection.await {
+                tracing::warn!(%error, "the port failed");
+            }
+        });
+        gimbal
+    }
+
+    /// A handle to the same board whose requests wait so long for their answers.
+    #[must_use]
+    pub fn with_timeout(&self, timeout: Duration) -> Self {
+        let options = Options { timeout, ..self.options };
+        Self { options, ..self.clone() }
+    }
+
+    /// A handle to the same board that sends reads so often, 1 for once.
+    #[must_use]
+    pub fn with_attempts(&self, attempts: u32) -> Self {
+        let options = Options { attempts, ..self.options };
+        Self { options, ..self.clone() }
+    }
+
+    /// How it was set up.
+    pub const fn options(&self) -> &Options {
+        &self.options
+    }
+
+    /// The version in which frames go out at present.
+    pub fn version(&self) -> Version {
+        self.shared.version()
+    }
+
+    /// What passed the link so far.
+    pub fn counters(&self) -> LinkCounters {
+        self.shared.counters()
+    }
+
+    /// Whether the port is there, for all that wait for a change of it.
+    pub fn link_state(&self) -> watch::Receiver<LinkState> {
+        self.shared.state.subscribe()
+    }
+
+    /// Sends what is still to be sent, ends data streams, and gives the port back. All handles are closed by it.
+    pub async fn close(self) {
+        let mut state = self.link_state();
+        if self.commands.send(Command::Close).await.is_ok() {
+            let _ = state.wait_for(|state| *state != LinkState::Open).await;
+        }
+    }
+
+    /// Asks for something and waits for the answer.
+    ///
+    /// If no answer comes in time the request is sent again, unless it does more than ask.
+    pub async fn request<Q, A>(&self, request: &Q) -> Result<A>
+    where
+        Q: for<'b> Request<Answer<'b> = A> + ToWire,
+        A: Message + for<'b> FromWire<'b>,
+    {
+        let payload = self.ask(request, A::ID).await?;
+        Ok(A::decode(&payload)?)
+    }
+
+    /// The same for answers that borrow from their payload.
+    pub async fn exchange<Q: Request + ToWire>(&self, request: &Q) -> Result<Answer<Q>> {
+        let payload = self.ask(request, <Q::Answer<'static> as Message>::ID).await?;
+        Answer::new(payload)
+    }
+
+    async fn ask<Q: Message + ToWire>(&self, request: &Q, answer: CommandId) -> Result<Bytes> {
+        self.request_raw(Q::ID, encode(request)?, answer).await
+    }
+
+    /// Sends a command and waits until the board confirms it. It is never sent again.
+    ///
+    /// When no confirmation comes, the command may have been carried out all the same.
+    pub async fn confirm<M: Message + ToWire>(&self, command: &M) -> Result<Confirm> {
+        let payload = self.request_raw(M::ID, encode(command)?, CommandId::CONFIRM).await?;
+        Ok(Confirm::decode(&payload)?)
+    }
+
+    /// Sends a command without waiting for an answer. It is on its way when the next request is answered, or the link
+    /// was [closed](Self::close).
+    pub async fn send<M: Message + ToWire>(&self, command: &M) -> Result<()> {
+        self.send_raw(M::ID, encode(command)?).await
+    }
+
+    /// Sends payload bytes as a command and waits for a frame with the id `answer`; see [`request`](Self::request).
+    pub async fn request_raw(&self, command: CommandId, payload: Bytes, answer: CommandId) -> Result<Bytes> {
+        let attempts = if only_reads(command, answer) { self.options.attempts.max(1) } else { 1 };
+        let call = self.make_call(command, payload, answer, attempts)?;
+        let (reply, outcome) = oneshot::channel();
+        self.commands.send(Command::Call(call, reply)).await.map_err(|_| self.gone())?;
+        let outcome = outcome.await.map_err(|_| self.gone())?;
+        outcome.map_err(|failure| explain(command, failure))
+    }
+
+    /// Sends payload bytes as a command; see [`send`](Self::send).
+    pub async fn send_raw(&self, command: CommandId, payload: Bytes) -> Result<()> {
+        self.check(command, &payload)?;
+        self.commands.send(Command::Send(command.raw(), payload)).await.map_err(|_| self.gone())
+    }
+
+    /// Sends a command that says where to go or how fast, and returns at once.
+    ///
+    /// If one with the same id waits to be sent, this one takes its place: a stale set-point is worse than none. That
+    /// suits all of `CMD_CONTROL` and its kin, `CMD_SERVO_OUT`, `CMD_API_VIRT_CH_CONTROL`, `CMD_HELPER_DATA`.
+    pub fn set<M: Message + ToWire>(&self, command: &M) -> Result<()> {
+        let payload = encode(command)?;
+        self.check(M::ID, &payload)?;
+        if self.commands.is_closed() {
+            return Err(self.gone());
+        }
+        self.shared.put_setpoint(M::ID.raw(), payload);
+        Ok(())
+    }
+
+    /// Moves the gimbal; the newest command replaces those that were not yet sent. Returns at once.
+    ///
+    /// [`confirm`](Self::confirm) sends each and waits, [`control_and_wait`](Self::control_and_wait) waits until the
+    /// target is reached.
+    pub fn control(&self, control: &Control) -> Result<()> {
+        self.set(control)
+    }
+
+    /// What the board is, and the version of its firmware.
+    pub async fn board_info(&self) -> Result<BoardInfo> {
+        self.request(&sbgc_proto::commands::BoardInfoRequest {}).await
+    }
+
+    /// More about what the board is.
+    pub async fn board_info3(&self) -> Result<BoardInfo3> {
+        self.request(&BoardInfo3Request {}).await
+    }
+
+    /// Where the camera points and where it should.
+    pub async fn angles(&self) -> Result<Angles> {
+        self.request(&GetAngles {}).await
+    }
+
+    /// The same, and how far the joints are turned.
+    pub async fn angles_ext(&self) -> Result<AnglesExt> {
+        self.request(&GetAnglesExt {}).await
+    }
+
+    /// The first block of the parameters of a profile.
+    pub async fn params3(&self, profile: ProfileId) -> Result<Params3> {
+        self.request(&ReadParams3 { profile_id: profile }).await
+    }
+
+    /// Switches the motors on.
+    pub async fn motors_on(&self) -> Result<()> {
+        self.confirm(&MotorsOn {}).await.map(drop)
+    }
+
+    /// Switches the motors off.
+    pub async fn motors_off(&self, mode: MotorsOffMode) -> Result<()> {
+        self.confirm(&MotorsOff { mode }).await.map(drop)
+    }
+
+    /// Runs a menu command.
+    pub async fn execute_menu(&self, command: MenuCommand) -> Result<()> {
+        self.confirm(&ExecuteMenu { cmd_id: command }).await.map(drop)
+    }
+
+    pub(crate) fn make_call(
+        &self,
+        command: CommandId,
+        payload: Bytes,
+        answer: CommandId,
+        attempts: u32,
+    ) -> Result<Call> {
+        self.check(command, &payload)?;
+        let key = Key::of_request(command.raw(), &payload, answer.raw());
+        Ok(Call { command: command.raw(), payload, key, timeout: self.options.timeout, attempts })
+    }
+
+    fn check(&self, command: CommandId, payload: &Bytes) -> Result<()> {
+        let (length, limit) = (payload.len(), self.version().safe_payload());
+        if length > limit {
+            return Err(Error::PayloadTooLong { command: name_of(command), length, limit });
+        }
+        if command.raw() == 0 {
+            return Err(EncodeError::from(sbgc_proto::frame::EncodeFrameError::ZeroId).into());
+        }
+        Ok(())
+    }
+
+    /// Why the task does not answer.
+    pub(crate) fn gone(&self) -> Error {
+        let state = *self.shared.state.borrow();
+        if state == LinkState::Lost { Error::Disconnected } else { Error::Closed }
+    }
+}
+
+fn encode<M: Message + ToWire>(message: &M) -> Result<Bytes> {
+    Ok(Bytes::copy_from_slice(message.encode(&mut [0; MAX_PAYLOAD])?))
+}
+
+/// Whether a request asks and does nothing else, so that it may be sent again.
+///
+/// What is confirmed changes something. Of what is answered with data, these do more than ask.
+fn only_reads(command: CommandId, answer: CommandId) -> bool {
+    let acts = matches!(
+        command,
+        CommandId::Reset
+            | CommandId::BootMode3
+            | CommandId::CanDeviceScan
+            | CommandId::UdrvDeviceScan
+            | CommandId::ExtImuCmd
+            | CommandId::ExtSensCmd
+    );
+    answer != CommandId::CONFIRM && !acts
+}
+
+/// The spec's name of an outgoing command.
+pub(crate) fn name_of(command: CommandId) -> &'static str {
+    command.spec_name(Direction::Outgoing).unwrap_or("unknown command")
+}
+
+pub(crate) fn explain(command: CommandId, failure: Failure) -> Error {
+    let name = name_of(command);
+    match failure {
+        Failure::Timeout { after, attempts } => Error::Timeout { command: name, after, attempts },
+        Failure::Refused { code, data } => {
+            Error::Refused { command: name, code, name: FailureCode::of(command, code).name(), data }
+        }
+        Failure::Disconnected => Error::Disconnected,
+        Failure::Closed => Error::Closed,
+    }
+}

@@ -1,0 +1,304 @@
+//! The table, call by call.
+
+use std::cell::Cell;
+use std::rc::Rc;
+
+use super::*;
+
+#[derive(Clone, Debug)]
+struct Who(&'static str, Rc<Cell<bool>>);
+
+impl Waiter for Who {
+    fn is_gone(&self) -> bool {
+        self.1.get()
+    }
+}
+
+impl PartialEq for Who {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+}
+
+const MS: fn(u64) -> Duration = Duration::from_millis;
+
+fn who(name: &'static str) -> Who {
+    Who(name, Rc::default())
+}
+
+fn bytes(payload: &[u8]) -> Bytes {
+    Bytes::copy_from_slice(payload)
+}
+
+/// A read of `command` that is answered under the same id.
+fn read(command: u8, payload: &[u8]) -> Call {
+    let key = Key::of_request(command, payload, command);
+    Call { command, payload: bytes(payload), key, timeout: MS(500), attempts: 3 }
+}
+
+fn write(command: u8) -> Call {
+    let key = Key::confirmation(command);
+    Call { command, payload: Bytes::new(), key, timeout: MS(500), attempts: 1 }
+}
+
+fn sent(session: &mut Session<Who>, now: Instant) -> Vec<u8> {
+    std::iter::from_fn(|| session.next_to_send(now, 255)).map(|outgoing| outgoing.command).collect()
+}
+
+fn answer(name: &'static str, payload: &[u8]) -> Verdict<Who> {
+    Verdict::Answer(who(name), Ok(bytes(payload)))
+}
+
+#[test]
+fn an_answer_completes_the_request() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.request(now, read(86, &[]), who("a"));
+    assert_eq!(session.next_deadline(now), None);
+    assert_eq!(sent(&mut session, now), [86]);
+    assert_eq!(session.next_deadline(now), Some(now + MS(500)));
+    assert_eq!(session.on_frame(now, 20, &bytes(&[1])), Verdict::Unsolicited);
+    assert_eq!(session.on_frame(now, 86, &bytes(&[1])), answer("a", &[1]));
+    assert_eq!(session.on_frame(now, 86, &bytes(&[1])), Verdict::Unsolicited);
+    assert_eq!(session.next_deadline(now), None);
+}
+
+#[test]
+fn the_time_counts_from_sending() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.request(now, write(77), who("a"));
+    assert_eq!(sent(&mut session, now + MS(900)), [77]);
+    assert_eq!(session.next_deadline(now), Some(now + MS(1400)));
+    assert_eq!(session.on_deadline(now + MS(1399)), None);
+    let failure = Failure::Timeout { after: MS(500), attempts: 1 };
+    assert_eq!(session.on_deadline(now + MS(1400)), Some((who("a"), failure)));
+    assert_eq!(session.on_deadline(now + MS(1400)), None);
+}
+
+#[test]
+fn reads_repeat_and_writes_do_not() {
+    let (mut session, start) = (Session::default(), Instant::now());
+    session.request(start, read(86, &[]), who("read"));
+    session.request(start, write(77), who("write"));
+    assert_eq!(sent(&mut session, start), [86, 77]);
+    let mut now = start + MS(500);
+    let failure = Failure::Timeout { after: MS(500), attempts: 1 };
+    assert_eq!(session.on_deadline(now), Some((who("write"), failure)));
+    assert_eq!(session.on_deadline(now), None);
+    assert_eq!(sent(&mut session, now), [86]);
+    now += MS(500);
+    assert_eq!(session.on_deadline(now), None);
+    assert_eq!(sent(&mut session, now), [86]);
+    now += MS(500);
+    let failure = Failure::Timeout { after: MS(1500), attempts: 3 };
+    assert_eq!(session.on_deadline(now), Some((who("read"), failure)));
+    assert_eq!((session.timeouts(), session.repeats()), (2, 2));
+}
+
+#[test]
+fn equal_keys_queue_and_others_overtake() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    for name in ["a", "b"] {
+        session.request(now, read(73, &[]), who(name));
+    }
+    session.request(now, read(21, &[0]), who("c"));
+    session.request(now, read(21, &[1]), who("d"));
+    session.request(now, read(21, &[255]), who("e"));
+    assert_eq!(sent(&mut session, now), [73, 21, 21]);
+    assert_eq!(session.queued(), 2);
+    assert_eq!(session.on_frame(now, 21, &bytes(&[1, 5])), answer("d", &[1, 5]));
+    assert_eq!(session.on_frame(now, 73, &bytes(&[])), answer("a", &[]));
+    assert_eq!(sent(&mut session, now), [73]);
+    assert_eq!(session.on_frame(now, 21, &bytes(&[0, 5])), answer("c", &[0, 5]));
+    assert_eq!(sent(&mut session, now), [21]);
+    assert_eq!(session.on_frame(now, 21, &bytes(&[3, 5])), answer("e", &[3, 5]));
+    assert_eq!(session.on_frame(now, 73, &bytes(&[])), answer("b", &[]));
+}
+
+#[test]
+fn a_late_answer_is_swallowed_and_does_not_answer_the_next_request() {
+    let (mut session, start) = (Session::default(), Instant::now());
+    session.request(start, write(77), who("a"));
+    assert_eq!(sent(&mut session, start), [77]);
+    let now = start + MS(500);
+    assert!(session.on_deadline(now).is_some());
+    session.request(now, write(77), who("b"));
+    assert_eq!(sent(&mut session, now), []);
+    let late = now + MS(100);
+    assert_eq!(session.on_frame(late, 67, &bytes(&[77])), Verdict::Late);
+    assert_eq!(sent(&mut session, late), [77]);
+    assert_eq!(session.on_frame(late, 67, &bytes(&[77])), answer("b", &[77]));
+}
+
+#[test]
+fn a_grave_holds_back_no_longer_than_its_grace() {
+    let (mut session, start) = (Session::default(), Instant::now());
+    session.request(start, write(77), who("a"));
+    assert_eq!(sent(&mut session, start), [77]);
+    let now = start + MS(500);
+    assert!(session.on_deadline(now).is_some());
+    session.request(now, write(77), who("b"));
+    session.request(now, write(109), who("c"));
+    assert_eq!(sent(&mut session, now), [109]);
+    assert_eq!(session.next_deadline(now), Some(now + GRACE));
+    assert_eq!(session.on_deadline(now + GRACE), None);
+    assert_eq!(sent(&mut session, now + GRACE), [77]);
+}
+
+#[test]
+fn a_grave_also_holds_back_what_was_queued_long_before() {
+    let (mut session, start) = (Session::default(), Instant::now());
+    session.request(start, write(77), who("a"));
+    session.request(start, write(77), who("b"));
+    assert_eq!(sent(&mut session, start), [77]);
+    let now = start + MS(500);
+    assert!(session.on_deadline(now).is_some());
+    assert_eq!(sent(&mut session, now), []);
+    assert_eq!(session.next_deadline(now), Some(now + GRACE));
+    assert_eq!(sent(&mut session, now + GRACE), [77]);
+}
+
+#[test]
+fn answers_to_repeats_do_not_answer_the_next_request() {
+    let (mut session, start) = (Session::default(), Instant::now());
+    session.request(start, read(73, &[]), who("a"));
+    assert_eq!(sent(&mut session, start), [73]);
+    let now = start + MS(500);
+    assert_eq!(session.on_deadline(now), None);
+    assert_eq!(sent(&mut session, now), [73]);
+    assert_eq!(session.on_frame(now, 73, &bytes(&[1])), answer("a", &[1]));
+    session.request(now, read(73, &[]), who("b"));
+    assert_eq!(sent(&mut session, now), []);
+    assert_eq!(session.on_frame(now, 73, &bytes(&[2])), Verdict::Late);
+    assert_eq!(sent(&mut session, now), [73]);
+    assert_eq!(session.on_frame(now, 73, &bytes(&[3])), answer("b", &[3]));
+}
+
+#[test]
+fn a_caller_that_left_before_sending_is_skipped() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    let gone = who("a");
+    session.request(now, read(73, &[]), gone.clone());
+    gone.1.set(true);
+    assert_eq!(sent(&mut session, now), []);
+    assert_eq!(session.queued(), 0);
+}
+
+#[test]
+fn a_caller_that_left_after_sending_still_consumes_its_answer() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    let gone = who("a");
+    session.request(now, read(73, &[]), gone.clone());
+    assert_eq!(sent(&mut session, now), [73]);
+    gone.1.set(true);
+    session.request(now, read(73, &[]), who("b"));
+    assert_eq!(sent(&mut session, now), []);
+    assert_eq!(session.on_frame(now, 73, &bytes(&[1])), Verdict::Late);
+    assert_eq!(sent(&mut session, now), [73]);
+    assert_eq!(session.on_frame(now, 73, &bytes(&[2])), answer("b", &[2]));
+}
+
+#[test]
+fn a_caller_that_left_is_not_repeated_nor_told() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    let gone = who("a");
+    session.request(now, read(73, &[]), gone.clone());
+    assert_eq!(sent(&mut session, now), [73]);
+    gone.1.set(true);
+    assert_eq!(session.on_deadline(now + MS(500)), None);
+    assert_eq!(sent(&mut session, now + MS(500)), []);
+    assert_eq!((session.timeouts(), session.repeats()), (0, 0));
+}
+
+#[test]
+fn an_error_finds_the_command_that_it_names() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.request(now, read(86, &[]), who("a"));
+    session.request(now, write(77), who("b"));
+    assert_eq!(sent(&mut session, now), [86, 77]);
+    let failure = Failure::Refused { code: 8, data: bytes(&[0, 0, 0, 0]) };
+    let refused = Verdict::Answer(who("b"), Err(failure));
+    assert_eq!(session.on_frame(now, 255, &bytes(&[77, 8, 0, 0, 0, 0])), refused);
+    assert_eq!(session.on_frame(now, 255, &bytes(&[77, 8, 0, 0, 0, 0])), Verdict::Unsolicited);
+    assert_eq!(session.on_frame(now, 86, &bytes(&[])), answer("a", &[]));
+}
+
+#[test]
+fn an_error_without_a_name_is_for_the_oldest() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.request(now, read(86, &[]), who("a"));
+    session.request(now, write(77), who("b"));
+    assert_eq!(sent(&mut session, now), [86, 77]);
+    for (name, payload) in [("a", &[6, 0, 0, 0, 0][..]), ("b", &[6])] {
+        let failure = Failure::Refused { code: 6, data: bytes(&payload[1..]) };
+        assert_eq!(session.on_frame(now, 255, &bytes(payload)), Verdict::Answer(who(name), Err(failure)));
+    }
+    assert_eq!(session.on_frame(now, 255, &bytes(&[])), Verdict::Unsolicited);
+}
+
+#[test]
+fn confirmations_of_unawaited_commands_are_not_taken_for_others() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.sent_unawaited(now, 67);
+    session.sent_unawaited(now, 67);
+    session.request(now, write(67), who("a"));
+    assert_eq!(sent(&mut session, now), []);
+    assert_eq!(session.on_frame(now, 67, &bytes(&[67])), Verdict::Unawaited);
+    assert_eq!(session.on_frame(now, 67, &bytes(&[67])), Verdict::Unawaited);
+    assert_eq!(sent(&mut session, now), [67]);
+    assert_eq!(session.on_frame(now, 67, &bytes(&[67])), answer("a", &[67]));
+}
+
+#[test]
+fn unawaited_commands_that_go_on_hold_nobody_back_for_ever() {
+    let (mut session, start) = (Session::default(), Instant::now());
+    session.request(start, write(67), who("a"));
+    for millis in (0..250).step_by(10) {
+        session.sent_unawaited(start + MS(millis), 67);
+        assert_eq!(sent(&mut session, start + MS(millis)), []);
+    }
+    assert_eq!(sent(&mut session, start + GRACE), [67]);
+}
+
+#[test]
+fn a_disconnect_releases_everybody() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.request(now, read(73, &[]), who("a"));
+    session.request(now, read(73, &[]), who("b"));
+    assert_eq!(sent(&mut session, now), [73]);
+    assert_eq!(session.on_disconnect(), [who("a"), who("b")]);
+    assert_eq!((session.next_deadline(now), session.queued()), (None, 0));
+    assert_eq!(session.on_frame(now, 73, &bytes(&[])), Verdict::Unsolicited);
+}
+
+#[test]
+fn commands_keep_their_order_among_requests() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.send(now, 119, bytes(&[1]));
+    session.request(now, write(22), who("a"));
+    session.send(now, 119, bytes(&[0]));
+    assert!(session.wants_to_send(now));
+    assert_eq!(sent(&mut session, now), [119, 22, 119]);
+    assert!(!session.wants_to_send(now));
+    assert_eq!(session.on_frame(now, 67, &bytes(&[119])), Verdict::Unawaited);
+}
+
+#[test]
+fn what_does_not_fit_is_not_overtaken() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.send(now, 1, bytes(&[0; 100]));
+    session.send(now, 2, bytes(&[0; 10]));
+    assert_eq!(session.next_to_send(now, 99), None);
+    assert_eq!(session.queued(), 2);
+    assert_eq!(sent(&mut session, now), [1, 2]);
+}
+
+#[test]
+fn the_end_gives_up_requests_and_keeps_commands() {
+    let (mut session, now) = (Session::default(), Instant::now());
+    session.request(now, read(73, &[]), who("a"));
+    session.request(now, read(73, &[]), who("b"));
+    assert_eq!(session.next_to_send(now, 255).map(|outgoing| outgoing.command), Some(73));
+    session.send(now, 85, bytes(&[]));
+    assert_eq!(session.dismiss(), [who("a"), who("b")]);
+    assert_eq!(sent(&mut session, now), [85]);
+}

@@ -1,0 +1,112 @@
+//! Motion that is waited for.
+
+mod support;
+
+use std::time::Duration;
+
+use sbgc_host::Error;
+use sbgc_host::proto::Message;
+use sbgc_host::proto::commands::{Angles, AxisAngles};
+use sbgc_host::proto::units::{Angle, ControlRate};
+use sbgc_host::proto::wire::PerAxis;
+use support::*;
+use tokio::time::Instant;
+
+const TARGET: PerAxis<Option<Angle>> = PerAxis { roll: None, pitch: Some(Angle(-1024)), yaw: None };
+const WITHIN: Duration = Duration::from_secs(10);
+
+fn angles(imu: i16, target: i16) -> Vec<u8> {
+    let axis = |imu, target| AxisAngles {
+        imu_angle: Angle(imu),
+        target_angle: Angle(target),
+        ..AxisAngles::default()
+    };
+    let angles = Angles { axes: PerAxis { pitch: axis(imu, target), ..PerAxis::default() } };
+    angles.encode(&mut [0; 18]).unwrap().to_vec()
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_board_says_that_it_is_there() {
+    let (gimbal, mut board) = gimbal();
+    let start = Instant::now();
+    let (moved, ()) = tokio::join!(gimbal.move_to(TARGET, ControlRate(0), WITHIN), async {
+        let control = board.expect(67).await;
+        assert_eq!(control.payload[..3], [7, 0x42, 7]);
+        board.confirm(67).await;
+        tokio::time::sleep(MS(100)).await;
+        board.send(CONFIRM, &[67, 1]).await;
+    });
+    moved.unwrap();
+    assert_eq!(since(start), 100);
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_angles_say_it_when_the_board_does_not() {
+    let (gimbal, mut board) = gimbal();
+    let (moved, ()) = tokio::join!(gimbal.move_to(TARGET, ControlRate(0), WITHIN), async {
+        board.expect(67).await;
+        board.confirm(67).await;
+        // At rest before it sets off, on the way, almost there, there.
+        for (imu, target) in [(0, 0), (0, 0), (-500, -500), (-900, -1024), (-1000, -1024)] {
+            board.expect(GET_ANGLES).await;
+            board.send(GET_ANGLES, &angles(imu, target)).await;
+        }
+        assert!(board.is_quiet(MS(1000)).await);
+    });
+    moved.unwrap();
+}
+
+#[tokio::test(start_paused = true)]
+async fn lost_confirmations_are_made_up_for() {
+    let (gimbal, mut board) = gimbal();
+    let (moved, ()) = tokio::join!(gimbal.move_to(TARGET, ControlRate(0), WITHIN), async {
+        board.expect(67).await;
+        for _ in 0..2 {
+            board.expect(GET_ANGLES).await;
+            board.send(GET_ANGLES, &angles(-1024, -1024)).await;
+        }
+    });
+    moved.unwrap();
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_target_that_is_not_reached_in_time() {
+    let (gimbal, mut board) = gimbal();
+    let start = Instant::now();
+    let board_side = async {
+        board.expect(67).await;
+        board.confirm(67).await;
+        loop {
+            board.expect(GET_ANGLES).await;
+            board.send(GET_ANGLES, &angles(0, -1024)).await;
+        }
+    };
+    let moved = tokio::select! {
+        moved = gimbal.move_to(TARGET, ControlRate(0), WITHIN) => moved,
+        () = board_side => unreachable!(),
+    };
+    assert!(matches!(moved, Err(Error::NotReached { after: WITHIN })));
+    assert_eq!(since(start), 10_000);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_refusal_is_told_at_once() {
+    let (gimbal, mut board) = gimbal();
+    let (moved, ()) = tokio::join!(gimbal.move_to(TARGET, ControlRate(0), WITHIN), async {
+        board.expect(67).await;
+        board.send(255, &[67, 8, 0, 0, 0, 0]).await;
+    });
+    assert!(matches!(moved, Err(Error::Refused { code: 8, .. })));
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_lost_port_ends_the_wait() {
+    let (gimbal, mut board) = gimbal();
+    let (moved, ()) = tokio::join!(gimbal.move_to(TARGET, ControlRate(0), WITHIN), async move {
+        board.expect(67).await;
+        board.confirm(67).await;
+        board.expect(GET_ANGLES).await;
+        drop(board);
+    });
+    assert!(matches!(moved, Err(Error::Disconnected)));
+}

@@ -1,0 +1,193 @@
+//! Data streams and subscriptions.
+
+mod support;
+
+use std::pin::pin;
+
+use futures_core::Stream;
+use sbgc_host::proto::CommandId;
+use sbgc_host::proto::commands::{Angles, RealtimeDataCustom, RealtimeDataCustomFlags};
+use sbgc_host::streams::Item;
+use sbgc_host::{Error, Options, Sample, StreamRequest, Subscription};
+use support::*;
+
+const REQUEST: StreamRequest = StreamRequest::new(CommandId::RealtimeData4, 20);
+
+fn start(interval: u8) -> Vec<u8> {
+    let mut payload = vec![0; 21];
+    payload[..2].copy_from_slice(&[REALTIME_4, interval]);
+    payload
+}
+
+async fn subscribe(gimbal: &sbgc_host::Gimbal, board: &mut Board) -> Subscription {
+    let (subscription, payload) = tokio::join!(gimbal.subscribe(REQUEST), board.confirm_stream());
+    assert_eq!(payload, start(20));
+    subscription.unwrap()
+}
+
+fn payload(sample: Option<Sample>) -> Vec<u8> {
+    match sample {
+        Some(Sample::Payload(payload)) => payload.to_vec(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[tokio::test(start_paused = true)]
+async fn samples_come_until_the_last_subscriber_leaves() {
+    let (gimbal, mut board) = gimbal();
+    let mut first = subscribe(&gimbal, &mut board).await;
+    // The second shares the registration.
+    let mut second = gimbal.subscribe(REQUEST).await.unwrap();
+    board.send(REALTIME_4, b"abc").await;
+    assert_eq!(payload(first.next().await), b"abc");
+    assert_eq!(payload(second.next().await), b"abc");
+    drop(first);
+    assert!(board.is_quiet(MS(1000)).await);
+    drop(second);
+    assert_eq!(board.confirm_stream().await, start(0));
+    assert!(board.is_quiet(MS(1000)).await);
+}
+
+#[tokio::test(start_paused = true)]
+async fn equal_requests_wait_for_one_confirmation() {
+    let (gimbal, mut board) = gimbal();
+    let (one, two, payload) =
+        tokio::join!(gimbal.subscribe(REQUEST), gimbal.subscribe(REQUEST), board.confirm_stream());
+    assert_eq!(payload, start(20));
+    let _both = (one.unwrap(), two.unwrap());
+    assert!(board.is_quiet(MS(1000)).await);
+}
+
+#[tokio::test(start_paused = true)]
+async fn another_interval_is_refused() {
+    let (gimbal, mut board) = gimbal();
+    let _running = subscribe(&gimbal, &mut board).await;
+    let error = gimbal.subscribe(StreamRequest { interval_ms: 300, ..REQUEST }).await.unwrap_err();
+    assert!(matches!(error, Error::StreamInUse { running_ms: 20, asked_ms: 300, .. }), "{error}");
+    assert!(board.is_quiet(MS(1000)).await);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_refused_stream_leaves_nothing_behind() {
+    let (gimbal, mut board) = gimbal();
+    let (refused, ()) = tokio::join!(gimbal.subscribe(REQUEST), async {
+        board.expect(STREAM).await;
+        board.send(255, &[STREAM, 9, 0, 0, 0, 0]).await;
+    });
+    assert!(matches!(refused, Err(Error::Refused { name: Some("ERR_NOT_SUPPORTED"), .. })));
+    assert!(board.is_quiet(MS(1000)).await);
+    subscribe(&gimbal, &mut board).await;
+}
+
+#[tokio::test(start_paused = true)]
+async fn an_unconfirmed_stream_is_taken_back() {
+    let (gimbal, mut board) = gimbal();
+    assert!(matches!(gimbal.subscribe(REQUEST).await, Err(Error::Timeout { attempts: 3, .. })));
+    for interval in [20, 20, 20, 0] {
+        assert_eq!(board.expect(STREAM).await.payload, start(interval));
+    }
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_subscriber_that_leaves_before_the_confirmation_leaves_nothing_behind() {
+    let (gimbal, mut board) = gimbal();
+    assert!(tokio::time::timeout(MS(50), gimbal.subscribe(REQUEST)).await.is_err());
+    assert_eq!(board.expect(STREAM).await.payload, start(20));
+    assert_eq!(board.expect(STREAM).await.payload, start(0));
+    board.confirm(STREAM).await;
+    board.confirm(STREAM).await;
+    assert!(board.is_quiet(MS(1000)).await);
+    subscribe(&gimbal, &mut board).await;
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_frame_that_answers_a_request_also_goes_to_subscribers() {
+    let (gimbal, mut board) = gimbal();
+    let mut heard = gimbal.listen(CommandId::GetAngles);
+    let (angles, ()) = tokio::join!(gimbal.angles(), async {
+        board.expect(GET_ANGLES).await;
+        board.send(GET_ANGLES, &[3; 18]).await;
+    });
+    angles.unwrap();
+    assert_eq!(payload(heard.next().await), [3; 18]);
+    assert_eq!(gimbal.counters().unsolicited, 0);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_slow_subscriber_is_told_how_many_it_lost_and_disturbs_nobody() {
+    let (gimbal, mut board) = gimbal();
+    let mut slow = subscribe(&gimbal, &mut board).await;
+    let mut roomy = gimbal.subscribe(StreamRequest { capacity: 200, ..REQUEST }).await.unwrap();
+    for byte in 0..100 {
+        board.send(REALTIME_4, &[byte]).await;
+        tokio::task::yield_now().await;
+    }
+    tokio::time::sleep(MS(10)).await;
+    assert_eq!(slow.next().await, Some(Sample::Lagged(36)));
+    assert_eq!(payload(slow.next().await), [36]);
+    for byte in 0..100 {
+        assert_eq!(payload(roomy.next().await), [byte]);
+    }
+    assert_eq!(gimbal.counters().lost_samples, 36);
+}
+
+#[tokio::test(start_paused = true)]
+async fn subscriptions_end_with_the_link() {
+    let (gimbal, mut board) = gimbal();
+    let mut heard = gimbal.listen(CommandId::GetAngles);
+    board.send(GET_ANGLES, b"x").await;
+    drop(board);
+    assert_eq!(payload(heard.next().await), b"x");
+    assert_eq!(heard.next().await, None);
+    assert_eq!(gimbal.listen(CommandId::GetAngles).next().await, None);
+}
+
+#[tokio::test(start_paused = true)]
+async fn closing_takes_all_streams_back() {
+    let (gimbal, mut board) = gimbal();
+    let mut samples = subscribe(&gimbal, &mut board).await;
+    gimbal.close().await;
+    assert_eq!(board.expect(STREAM).await.payload, start(0));
+    assert!(board.try_next().await.is_none());
+    assert_eq!(samples.next().await, None);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_subscription_outlives_the_handles() {
+    let (gimbal, mut board) = gimbal_with(4096, Options::default());
+    let mut samples = subscribe(&gimbal, &mut board).await;
+    drop(gimbal);
+    board.send(REALTIME_4, b"abc").await;
+    assert_eq!(payload(samples.next().await), b"abc");
+    drop(samples);
+    assert_eq!(board.expect(STREAM).await.payload, start(0));
+    assert!(board.try_next().await.is_none());
+}
+
+#[tokio::test(start_paused = true)]
+async fn samples_as_messages() {
+    let (gimbal, mut board) = gimbal();
+    let mut angles = pin!(gimbal.listen(CommandId::GetAngles).typed::<Angles>());
+    board.send(GET_ANGLES, &[1; 18]).await;
+    board.send(GET_ANGLES, &[1; 3]).await;
+    let item = std::future::poll_fn(|context| angles.as_mut().poll_next(context)).await;
+    assert!(matches!(item, Some(Item::Message(angles)) if angles.axes.roll.imu_angle.0 == 0x0101));
+    assert!(matches!(angles.next().await, Some(Item::Undecoded(_))));
+}
+
+#[tokio::test(start_paused = true)]
+async fn samples_that_need_a_context() {
+    let (gimbal, mut board) = gimbal();
+    let flags = RealtimeDataCustomFlags::IMU_ANGLES;
+    let mut config = [0; 8];
+    config[..4].copy_from_slice(&flags.bits().to_le_bytes());
+    let request =
+        StreamRequest { config, length: Some(8), ..StreamRequest::new(CommandId::RealtimeDataCustom, 10) };
+    let (subscription, _) = tokio::join!(gimbal.subscribe(request), board.confirm_stream());
+    let mut samples = subscription.unwrap().typed_with::<RealtimeDataCustom, _>(flags);
+    // Another stream of the same command, told apart by its length.
+    board.send(88, &[0; 20]).await;
+    board.send(88, &[0x10, 0x27, 0x00, 0x10, 0, 0, 0, 0xF8]).await;
+    let Some(Item::Message(data)) = samples.next().await else { panic!("a message") };
+    assert_eq!(data.timestamp_ms, 10_000);
+}

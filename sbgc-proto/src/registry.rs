@@ -132,9 +132,12 @@ macro_rules! commands {
         #[cfg(feature = "reflect")]
         impl<'a> $enum<'a> {
             /// All messages of this direction, in the order in which their forms are tried.
-            pub const ALL: &'static [crate::reflect::MessageInfo] = &[
-                $(crate::reflect::MessageInfo::of::<$ty>(stringify!($ty))),*
-            ];
+            pub const ALL: &'static [crate::reflect::MessageInfo] = {
+                // A static has one place in memory, a constant would have one at each use.
+                static ALL: &[crate::reflect::MessageInfo] =
+                    &[$(crate::reflect::MessageInfo::of::<$ty>(stringify!($ty))),*];
+                ALL
+            };
 
             /// A message all of whose fields are zero or absent.
             pub fn blank(id: CommandId, form: &str) -> Option<Self> {
@@ -215,6 +218,7 @@ commands! {
         SignMessage(SignMessageRequest),
         BootMode3Simple(BootMode3),
         BootMode3Extended(BootMode3Extended),
+        SystemState(SystemStateRequest<'a>),
         ReadFile(ReadFile),
         WriteFileWrite(WriteFile<'a>),
         WriteFileDelete(WriteFileDelete),
@@ -266,7 +270,8 @@ commands! {
         CalibAccExtRef(CalibAccExtRef),
         ProfileSet(ProfileSet),
         CanDeviceScan(CanDeviceScanRequest),
-        CanDrvCalibrate(CanDrvCalibrateRequest<'a>),
+        ReadRcInputs(ReadRcInputs),
+        RealtimeDataCanDrv(RealtimeDataCanDrvRequest<'a>),
         CalibGyroSimple(CalibGyroSimple),
         CalibGyroExtended(CalibGyro),
         ReadParamsExt3(ReadParamsExt3),
@@ -311,6 +316,10 @@ commands! {
         ExtSensCmd(ExtSensCmdRequest<'a>),
         TransparentSapi(TransparentSapiRequest<'a>),
         SetDebugPort(SetDebugPortRequest),
+        DebugVarsInfo3Simple(DebugVarsInfo3Request),
+        DebugVarsInfo3Extended(DebugVarsInfo3ExtendedRequest),
+        DebugVars3Simple(DebugVars3Request),
+        DebugVars3Extended(DebugVars3ExtendedRequest),
     }
 
     /// A message from the controller to the host.
@@ -333,6 +342,7 @@ commands! {
         EepromRead(EepromRead<'a>),
         CalibInfo(CalibInfo),
         SignMessage(SignMessage),
+        SystemState(SystemState<'a>),
         ReadFileSuccess(FilePart<'a>),
         ReadFileError(FilePartError),
         AhrsHelperStream(AhrsHelperStream),
@@ -349,7 +359,8 @@ commands! {
         RealtimeDataCustom(RealtimeDataCustomView<'a>),
         CoggingCalibInfo(CoggingCalibInfo<'a>),
         CanDeviceScan(CanDeviceScan),
-        CanDrvCalibrate(CanDrvCalibrate<'a>),
+        ReadRcInputs(RcInputs),
+        RealtimeDataCanDrv(RealtimeDataCanDrv<'a>),
         Event(Event<'a>),
         ReadParamsExt3(ParamsExt3),
         ExtImuDebugInfo(ExtImuDebugInfo),
@@ -374,6 +385,8 @@ commands! {
         ExtSensCmd(ExtSensCmd<'a>),
         TransparentSapi(TransparentSapi<'a>),
         SetDebugPort(SetDebugPort<'a>),
+        DebugVarsInfo3(DebugVarsInfo3<'a>),
+        DebugVars3(DebugVars3<'a>),
         ErrorLegacy(ErrorLegacy),
         Error(Error),
     }

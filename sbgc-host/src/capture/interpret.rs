@@ -200,9 +200,9 @@ fn likely_direction(id: CommandId, length: usize) -> Direction {
         let forms = all.iter().filter(|info| info.id == id);
         // A form that the length does not fit is better than none.
         forms
-            .map(|info| match info.size.contains(&length) && (info.accepts)(length) {
-                true => info.size.end() - info.size.start(),
-                false => 1000,
+            .map(|info| {
+                let fits = info.size.contains(&length) && (info.accepts)(length);
+                if fits { info.size.end() - info.size.start() } else { 1000 }
             })
             .min()
             .unwrap_or(usize::MAX)

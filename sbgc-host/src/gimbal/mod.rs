@@ -294,7 +294,7 @@ impl Gimbal {
     }
 }
 
-fn encode<M: Message + ToWire>(message: &M) -> Result<Bytes> {
+pub(crate) fn encode<M: Message + ToWire>(message: &M) -> Result<Bytes> {
     Ok(Bytes::copy_from_slice(message.encode(&mut [0; MAX_PAYLOAD])?))
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use sbgc_proto::commands::{Angles, Confirm, Control, ControlAxis, ControlMode, ControlModeKind};
+use sbgc_proto::commands::{Angles, Confirm, Control, ControlModeKind};
 use sbgc_proto::units::{Angle, ControlRate};
 use sbgc_proto::wire::PerAxis;
 use sbgc_proto::{CommandId, Message};
@@ -32,12 +32,7 @@ impl Gimbal {
         speed: ControlRate,
         within: Duration,
     ) -> Result<()> {
-        let control = Control {
-            control_mode: target
-                .map(|angle| if angle.is_some() { ControlMode::ANGLE } else { ControlMode::IGNORE }),
-            axes: target
-                .map(|angle| angle.map_or(ControlAxis::default(), |angle| ControlAxis { speed, angle })),
-        };
+        let control = Control::some_angles(target, speed);
         self.control_and_wait(&control, within).await
     }
 

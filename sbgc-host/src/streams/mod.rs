@@ -13,15 +13,17 @@ use std::pin::Pin;
 use std::sync::Arc;
 use std::task::{Context, Poll};
 
-use bytes::{BufMut, Bytes, BytesMut};
+use bytes::Bytes;
 use futures_core::Stream;
 use sbgc_proto::CommandId;
+use sbgc_proto::commands::{DataStreamInterval, StreamConfig, StreamSource};
+use sbgc_proto::units::StreamInterval;
 use tokio::sync::oneshot;
 
 pub use queue::Sample;
 pub use typed::{Item, TypedStream};
 
-use crate::gimbal::{explain, name_of};
+use crate::gimbal::{encode, explain, name_of};
 use crate::link::shared::{Command, StreamCall, StreamFailure};
 use crate::{Error, Gimbal, Result};
 use queue::Queue;
@@ -58,14 +60,26 @@ impl StreamRequest {
         Self { command, interval_ms, config: [0; 8], length: None, capacity: CAPACITY }
     }
 
-    /// Payload of `CMD_DATA_STREAM_INTERVAL`: id, interval, configuration, ten reserved bytes.
-    fn payload(&self, interval_ms: u16) -> Bytes {
-        let mut payload = BytesMut::with_capacity(21);
-        payload.put_u8(self.command.raw());
-        payload.put_u16_le(interval_ms);
-        payload.put_slice(&self.config);
-        payload.put_bytes(0, 10);
-        payload.freeze()
+    /// What `source` describes, with its configuration and length.
+    pub fn of(source: StreamSource, interval_ms: u16) -> Self {
+        let length = match source {
+            StreamSource::RealtimeDataCustom(flags) => Some(flags.payload_len()),
+            StreamSource::RealtimeDataCustom2(flags) => Some(flags.payload_len()),
+            StreamSource::CanDrvTelemetry { flags, .. } => Some(flags.payload_len()),
+            _ => None,
+        };
+        Self { config: source.config().0.0, length, ..Self::new(source.cmd_id(), interval_ms) }
+    }
+
+    /// The registration of the stream; with interval 0 its end.
+    fn registration(&self, interval_ms: u16) -> Result<Bytes> {
+        let message = DataStreamInterval {
+            cmd_id: self.command,
+            interval_ms: StreamInterval(interval_ms),
+            config: StreamConfig(self.config.into()),
+            ..DataStreamInterval::default()
+        };
+        encode(&message)
     }
 }
 
@@ -128,11 +142,12 @@ impl Gimbal {
         let command = CommandId::DataStreamInterval;
         // Asking twice for a stream updates it, so this write may be repeated.
         let attempts = self.options.attempts.max(1);
-        let start = self.make_call(command, request.payload(interval_ms), CommandId::CONFIRM, attempts)?;
+        let start =
+            self.make_call(command, request.registration(interval_ms)?, CommandId::CONFIRM, attempts)?;
         let subscription = self.attach(request.command, request.length, request.capacity);
         let user = subscription.queue.as_ref().map(Arc::downgrade).unwrap_or_default();
         let (reply, outcome) = oneshot::channel();
-        let wanted = StreamCall { start, stop: request.payload(0), user, reply };
+        let wanted = StreamCall { start, stop: request.registration(0)?, user, reply };
         self.commands.send(Command::Stream(wanted)).await.map_err(|_| self.gone())?;
         match outcome.await.map_err(|_| self.gone())? {
             Ok(()) => Ok(subscription),

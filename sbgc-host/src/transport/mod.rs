@@ -85,6 +85,9 @@ impl Address {
                 let _ = line;
                 Err(crate::Error::NotBuilt { address: self.to_string(), feature: "serial" })
             }
+            #[cfg(feature = "sim")]
+            Self::Sim => Ok(Box::new(crate::sim::in_process(crate::sim::Config::default()))),
+            #[cfg(not(feature = "sim"))]
             Self::Sim => Err(crate::Error::NotBuilt { address: self.to_string(), feature: "sim" }),
         }
     }

@@ -78,6 +78,17 @@ impl Control {
         }
     }
 
+    /// Moves the axes that have an angle to it, at a speed; the others are left as they are, which firmware before
+    /// 2.70b4 does not know.
+    pub fn some_angles(target: PerAxis<Option<Angle>>, speed: ControlRate) -> Self {
+        Self {
+            control_mode: target
+                .map(|angle| if angle.is_some() { ControlMode::ANGLE } else { ControlMode::IGNORE }),
+            axes: target
+                .map(|angle| angle.map_or(ControlAxis::default(), |angle| ControlAxis { speed, angle })),
+        }
+    }
+
     /// All axes to angles from the neutral point relative to the frame, at one speed; speed 0 is that of the radio
     /// control settings.
     pub fn angles_rel_frame(angles: PerAxis<Angle>, speed: ControlRate) -> Self {

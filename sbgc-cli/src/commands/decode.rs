@@ -1,0 +1,196 @@
+//! `sbgc decode`: captured traffic, explained.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use sbgc_host::capture::{Format, Interpreter, Item, Reader};
+use sbgc_proto::Direction;
+use sbgc_proto::frame::Version;
+use sbgc_proto::reflect::Leaf;
+use serde_json::json;
+
+use crate::failure::Failure;
+use crate::fields;
+use crate::output::Output;
+
+#[derive(Args, Debug)]
+pub(crate) struct Decode {
+    /// The capture; standard input when left out, or for `-`
+    file: Option<PathBuf>,
+
+    /// How the capture is written
+    #[arg(long, value_enum, default_value_t)]
+    from: From,
+
+    /// Which way the messages go
+    #[arg(long, value_enum, default_value_t)]
+    direction: Way,
+
+    /// Flags of CMD_REALTIME_DATA_CUSTOM, where the capture has no request for it
+    #[arg(long, value_name = "N", value_parser = flags)]
+    custom_flags: Option<u32>,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum From {
+    /// Whatever the beginning looks like
+    #[default]
+    Auto,
+    /// Raw bytes
+    Bin,
+    /// Hex digits; white space, 0x, : and , between bytes
+    Hex,
+    /// Debug log of the GUI
+    Log,
+}
+
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Way {
+    /// As the capture says, or as the message fits
+    #[default]
+    Auto,
+    /// Host to controller
+    Outgoing,
+    /// Controller to host
+    Incoming,
+}
+
+fn flags(text: &str) -> Result<u32, String> {
+    let number = match text.strip_prefix("0x") {
+        Some(digits) => u32::from_str_radix(digits, 16),
+        None => text.parse(),
+    };
+    number.map_err(|error| format!("{error}; a number of 32 bits is wanted, hex ones after 0x"))
+}
+
+impl Decode {
+    pub(crate) fn run(self, output: &mut Output) -> Result<(), Failure> {
+        let (mut input, place) = self.open()?;
+        let mut reader = Reader::new(match self.from {
+            From::Auto => Format::Auto,
+            From::Bin => Format::Bin,
+            From::Hex => Format::Hex,
+            From::Log => Format::Log,
+        });
+        let mut explainer = Explainer {
+            interpreter: Interpreter::new(self.custom_flags),
+            direction: match self.direction {
+                Way::Auto => None,
+                Way::Outgoing => Some(Direction::Outgoing),
+                Way::Incoming => Some(Direction::Incoming),
+            },
+            output,
+            result: Ok(()),
+        };
+        let mut piece = vec![0; 64 * 1024];
+        loop {
+            let length = match input.read(&mut piece) {
+                Ok(length) => length,
+                Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
+                Err(source) => return Err(Failure::File { place, source }),
+            };
+            let fed = match piece.get(..length) {
+                Some(bytes) if length > 0 => reader.feed(bytes, &mut |item| explainer.explain(item)),
+                _ => reader.finish(&mut |item| explainer.explain(item)),
+            };
+            explainer.result?;
+            explainer.result = Ok(());
+            explainer.output.flush()?;
+            fed?;
+            if length == 0 {
+                return Ok(());
+            }
+        }
+    }
+
+    fn open(&self) -> Result<(Box<dyn Read>, String), Failure> {
+        match &self.file {
+            Some(path) if path.as_os_str() != "-" => {
+                let place = path.display().to_string();
+                match File::open(path) {
+                    Ok(file) => Ok((Box::new(file), place)),
+                    Err(source) => Err(Failure::File { place, source }),
+                }
+            }
+            _ => Ok((Box::new(io::stdin().lock()), String::from("standard input"))),
+        }
+    }
+}
+
+struct Explainer<'o> {
+    interpreter: Interpreter,
+    direction: Option<Direction>,
+    output: &'o mut Output,
+    result: io::Result<()>,
+}
+
+impl Explainer<'_> {
+    fn explain(&mut self, item: Item) {
+        if self.result.is_ok() {
+            self.result = self.print(item);
+        }
+    }
+
+    fn print(&mut self, item: Item) -> io::Result<()> {
+        match item {
+            Item::Skipped { at, length, cause } if self.output.is_json() => {
+                let object = json!({"kind": "skipped", "at": at, "length": length, "cause": cause.as_str()});
+                self.output.object(&object)
+            }
+            Item::Skipped { at, length, cause } => {
+                self.output.line(format_args!("{at}: skipped {length} bytes: {cause}"))
+            }
+            Item::Frame { at, version, direction, id, payload } => {
+                let direction = self.direction.or(direction);
+                self.print_frame(at, version, direction, id, &payload)
+            }
+        }
+    }
+
+    fn print_frame(
+        &mut self,
+        at: u64,
+        version: Option<Version>,
+        direction: Option<Direction>,
+        id: u8,
+        payload: &[u8],
+    ) -> io::Result<()> {
+        let message = match self.interpreter.interpret(direction, id, payload) {
+            Ok(message) => message,
+            Err(error) if self.output.is_json() => {
+                let error = error.to_string();
+                let object =
+                    json!({"kind": "undecoded", "at": at, "id": id, "length": payload.len(), "error": error});
+                return self.output.object(&object);
+            }
+            Err(error) => return self.output.line(format_args!("{at}: undecoded: {error}")),
+        };
+        let version = version.map(Version::number);
+        let name = message.name().map_or_else(|| format!("command {id}"), str::to_owned);
+        if self.output.is_json() {
+            let mut leaves = Vec::new();
+            message.walk(&mut |leaf: &Leaf<'_>| leaves.push(fields::to_json(leaf)));
+            return self.output.object(&json!({
+                "kind": "frame",
+                "at": at,
+                "version": version,
+                "direction": message.direction().as_str(),
+                "id": id,
+                "name": message.name(),
+                "form": message.form(),
+                "length": payload.len(),
+                "payload": fields::hex(payload),
+                "fields": leaves,
+            }));
+        }
+        let version = version.map_or_else(String::new, |version| format!(", version {version}"));
+        let (direction, form, length) = (message.direction().as_str(), message.form(), payload.len());
+        self.output
+            .line(format_args!("{at}: {name} ({id}) {direction}, form {form}, {length} bytes{version}"))?;
+        let mut lines = Vec::new();
+        message.walk(&mut |leaf: &Leaf<'_>| lines.push(fields::to_text(leaf)));
+        lines.iter().try_for_each(|line| self.output.line(format_args!("    {line}")))
+    }
+}

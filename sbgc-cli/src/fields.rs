@@ -1,0 +1,144 @@
+//! Fields of messages as text and as JSON, from what they say of themselves.
+
+use std::io;
+
+use sbgc_proto::reflect::{self, Describe, Leaf, Meaning, Raw, Scalar};
+use serde_json::{Map, Number, Value, json};
+
+use crate::output::Output;
+
+/// One field as JSON.
+pub(crate) fn to_json(leaf: &Leaf<'_>) -> Value {
+    json!({
+        "path": leaf.path.to_string(),
+        "spec": leaf.field.spec,
+        "offset": leaf.offset,
+        "size": leaf.size,
+        "type": leaf.type_name(),
+        "raw": raw_json(leaf),
+        "value": value_json(leaf),
+        "unit": Some(leaf.unit()).filter(|unit| !unit.is_empty()),
+        "label": leaf.label().map(|label| label.to_string()),
+    })
+}
+
+/// One field as a line of text: path, value, unit, names.
+pub(crate) fn to_text(leaf: &Leaf<'_>) -> String {
+    format!("{} = {}", leaf.path, value_text(leaf))
+}
+
+/// The value of a field with its unit and names.
+pub(crate) fn value_text(leaf: &Leaf<'_>) -> String {
+    let label = leaf.label().map(|label| label.to_string());
+    match (leaf.raw, label) {
+        (Raw::Bytes([]), _) => String::from("-"),
+        (Raw::Bytes(bytes), _) => hex(bytes),
+        (Raw::Text(text), _) => format!("{:?}", text_of(text)),
+        (Raw::Number(raw), Some(label)) if has_names(leaf) => format!("{label} ({raw})"),
+        (Raw::Number(raw), Some(label)) => format!("{raw} ({label})"),
+        (Raw::Number(_), None) => {
+            let value = leaf.value().unwrap_or_default();
+            let unit = leaf.unit();
+            // Enough digits for every scale of the protocol, without the noise of binary fractions.
+            let number = trim_zeros(format!("{value:.6}"));
+            if unit.is_empty() { number } else { format!("{number} {unit}") }
+        }
+    }
+}
+
+fn trim_zeros(number: String) -> String {
+    match number.trim_end_matches('0').trim_end_matches('.') {
+        "-0" => String::from("0"),
+        _ if !number.contains('.') => number,
+        trimmed => trimmed.to_owned(),
+    }
+}
+
+fn raw_json(leaf: &Leaf<'_>) -> Value {
+    match leaf.raw {
+        Raw::Bytes(bytes) => hex(bytes).into(),
+        Raw::Text(text) => text_of(text).into(),
+        Raw::Number(raw) if is_float(leaf) => {
+            // JSON has no NaN; its bits are what came.
+            leaf.value()
+                .and_then(Number::from_f64)
+                .map_or_else(|| json!(format!("{raw:#010x}")), Value::Number)
+        }
+        Raw::Number(raw) => raw.into(),
+    }
+}
+
+fn value_json(leaf: &Leaf<'_>) -> Value {
+    match leaf.raw {
+        Raw::Bytes(_) => Value::Null,
+        Raw::Text(text) => text_of(text).into(),
+        Raw::Number(raw)
+            if leaf.number.is_some_and(|number| number.multiply == number.divide) && !is_float(leaf) =>
+        {
+            raw.into()
+        }
+        Raw::Number(_) => leaf.value().and_then(Number::from_f64).map_or(Value::Null, Value::Number),
+    }
+}
+
+fn is_float(leaf: &Leaf<'_>) -> bool {
+    leaf.number.is_some_and(|number| number.scalar == Scalar::f32)
+}
+
+/// The text before the first zero.
+fn text_of(text: &[u8]) -> String {
+    String::from_utf8_lossy(text.split(|byte| *byte == 0).next().unwrap_or_default()).into_owned()
+}
+
+/// Bytes as lower-case hex.
+pub(crate) fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// The fields of `message` as members of `object`: path to value or name.
+pub(crate) fn add_to_object<M: Describe>(object: &mut Map<String, Value>, message: &M) {
+    reflect::walk(message, &mut |leaf: &Leaf<'_>| {
+        if !leaf.field.reserved {
+            add_leaf(object, leaf);
+        }
+    });
+}
+
+/// One field as a member of `object`.
+pub(crate) fn add_leaf(object: &mut Map<String, Value>, leaf: &Leaf<'_>) {
+    let value = match (leaf.label(), leaf.raw) {
+        (Some(label), Raw::Number(_)) if has_names(leaf) => label.to_string().into(),
+        (_, Raw::Number(_)) => value_json(leaf),
+        _ => raw_json(leaf),
+    };
+    object.insert(leaf.path.to_string(), value);
+}
+
+/// Prints the fields of `message`, one a line.
+pub(crate) fn print<M: Describe>(output: &mut Output, message: &M) -> io::Result<()> {
+    let mut lines = Vec::new();
+    reflect::walk(message, &mut |leaf: &Leaf<'_>| {
+        if !leaf.field.reserved {
+            lines.push(to_text(leaf));
+        }
+    });
+    lines.iter().try_for_each(|line| output.line(line))
+}
+
+/// The fields of `message` on one line.
+pub(crate) fn on_one_line<M: Describe>(message: &M) -> String {
+    let mut texts = Vec::new();
+    reflect::walk(message, &mut |leaf: &Leaf<'_>| {
+        if !leaf.field.reserved {
+            texts.push(format!("{}={}", leaf.path, value_text(leaf).replace(' ', "")));
+        }
+    });
+    texts.join("  ")
+}
+
+/// Whether a value is shown by its name alone.
+fn has_names(leaf: &Leaf<'_>) -> bool {
+    leaf.number.is_some_and(|number| {
+        matches!(number.meaning, Meaning::Enum(_) | Meaning::Special(_) | Meaning::Shown(_))
+    })
+}

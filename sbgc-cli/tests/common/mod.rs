@@ -1,0 +1,91 @@
+//! Running the built program as a person would.
+
+#![allow(dead_code, reason = "each test program uses a part of it")]
+
+use std::io::{BufRead, BufReader, Write};
+use std::path::PathBuf;
+use std::process::{Child, Command, Output, Stdio};
+
+use serde_json::Value;
+
+/// The program, without what the surroundings say.
+pub(crate) fn sbgc() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_sbgc"));
+    command.env_remove("SBGC_PORT");
+    command
+}
+
+/// Runs it with these arguments.
+pub(crate) fn run(arguments: &[&str]) -> Output {
+    sbgc().args(arguments).output().expect("the program can be started")
+}
+
+/// Runs it with these arguments and this on its standard input.
+pub(crate) fn run_with_input(arguments: &[&str], input: &[u8]) -> Output {
+    let mut command = sbgc();
+    command.args(arguments).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("the program can be started");
+    let mut pipe = child.stdin.take().expect("it was asked for");
+    let input = input.to_vec();
+    let writer = std::thread::spawn(move || {
+        // The program may end before it has read everything.
+        let _ = pipe.write_all(&input);
+    });
+    let output = child.wait_with_output().expect("it ends");
+    writer.join().expect("writing does not panic");
+    output
+}
+
+/// Standard output as text.
+pub(crate) fn stdout(output: &Output) -> String {
+    String::from_utf8(output.stdout.clone()).expect("text")
+}
+
+/// Standard error as text.
+pub(crate) fn stderr(output: &Output) -> String {
+    String::from_utf8(output.stderr.clone()).expect("text")
+}
+
+/// Standard output as one JSON object a line.
+pub(crate) fn objects(output: &Output) -> Vec<Value> {
+    stdout(output).lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+}
+
+/// A simulated board on a pseudo-terminal, served by the program itself.
+pub(crate) struct Board {
+    child: Child,
+    directory: tempfile::TempDir,
+}
+
+impl Board {
+    /// Starts it and waits until it says where it is.
+    pub(crate) fn start() -> Self {
+        let directory = tempfile::tempdir().expect("a place for the link");
+        let link = directory.path().join("gimbal");
+        let mut command = sbgc();
+        command.args(["sim", "--pty", "--link"]).arg(&link).stdout(Stdio::piped());
+        let mut child = command.spawn().expect("the program can be started");
+        let mut first = String::new();
+        BufReader::new(child.stdout.take().expect("it was asked for"))
+            .read_line(&mut first)
+            .expect("a first line");
+        assert!(first.contains(link.to_str().expect("text")), "the first line says where it is: {first:?}");
+        Board { child, directory }
+    }
+
+    /// The port under which it is found.
+    pub(crate) fn port(&self) -> String {
+        self.link().to_str().expect("text").to_owned()
+    }
+
+    pub(crate) fn link(&self) -> PathBuf {
+        self.directory.path().join("gimbal")
+    }
+}
+
+impl Drop for Board {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}

@@ -1,0 +1,79 @@
+//! `sbgc encode` is the inverse of `sbgc decode`.
+
+mod common;
+
+use common::{objects, run, run_with_input, stderr, stdout};
+use serde_json::Value;
+
+#[test]
+fn names_and_values_become_a_frame() {
+    let output = run(&["--protocol", "1", "encode", "CMD_READ_PARAMS", "profile_id=PROFILE_2"]);
+    assert_eq!(stdout(&output), "3E 52 01 53 01 01\n", "{}", stderr(&output));
+    let output = run(&["encode", "read_params", "PROFILE_ID=1", "--json"]);
+    assert_eq!(objects(&output)[0]["frame"], "245201530112 3d".replace(' ', ""));
+}
+
+#[test]
+fn mistakes_are_named() {
+    for (arguments, expected) in [
+        (&["encode", "NOTHING"][..], "\"NOTHING\" is no outgoing command"),
+        (&["encode", "READ_PARAMS", "profil=1"], "profil=1: no such field; there are profile_id"),
+        (&["encode", "READ_PARAMS", "profile_id=300"], "profile_id=300: out of range, which is 0 to 255"),
+        (&["encode", "READ_PARAMS", "profile_id"], "\"profile_id\" is no FIELD=VALUE"),
+        (&["encode", "CONTROL", "--form", "other"], "no form \"other\"; there are legacy, extended"),
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(stderr(&output).contains(expected), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+/// The field as an argument that gives it back.
+fn argument(field: &Value) -> String {
+    let value = match (&field["type"], &field["value"]) {
+        (Value::String(kind), _) if kind == "bytes" => field["raw"].as_str().unwrap().to_owned(),
+        (_, Value::String(text)) => text.clone(),
+        (_, Value::Null) => field["raw"].as_str().unwrap().to_owned(),
+        (_, number) => number.to_string(),
+    };
+    format!("{}={value}", field["path"].as_str().unwrap())
+}
+
+/// Example frames of all commands, made independently of this program.
+const VECTORS: &str = include_str!("../../sbgc-proto/tests/protocol/vectors.jsonl");
+
+#[test]
+fn every_example_is_decoded_and_encoded_to_the_same_bytes() {
+    let vectors: Vec<Value> = VECTORS.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
+    assert!(vectors.len() > 400);
+    // Answers that only their request explains cannot be told from their fields.
+    let plain = vectors.iter().filter(|vector| vector.get("context").is_none());
+    let mut checked = 0;
+    for direction in ["outgoing", "incoming"] {
+        let frames: Vec<&str> = plain
+            .clone()
+            .filter(|vector| vector["direction"] == direction)
+            .map(|vector| vector["frame"].as_str().unwrap())
+            .collect();
+        let decoded = run_with_input(
+            &["decode", "--from", "hex", "--json", "--direction", direction],
+            frames.join("\n").as_bytes(),
+        );
+        let decoded = objects(&decoded);
+        assert_eq!(decoded.len(), frames.len());
+        for (message, frame) in decoded.iter().zip(frames) {
+            assert_eq!(message["kind"], "frame", "{message}");
+            let version = message["version"].to_string();
+            let mut arguments = vec!["--json", "--protocol", &version, "encode", "--direction", direction];
+            let (name, form) = (message["name"].as_str().unwrap(), message["form"].as_str().unwrap());
+            arguments.extend([name, "--form", form]);
+            let fields: Vec<String> = message["fields"].as_array().unwrap().iter().map(argument).collect();
+            arguments.extend(fields.iter().map(String::as_str));
+            let output = run(&arguments);
+            assert!(output.status.success(), "{arguments:?}: {}", stderr(&output));
+            assert_eq!(objects(&output)[0]["frame"], frame, "{name} {form}");
+            checked += 1;
+        }
+    }
+    assert!(checked > 400, "{checked}");
+}

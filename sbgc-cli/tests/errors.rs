@@ -1,0 +1,53 @@
+//! Mistakes, as a person meets them: what is wrong, what would be right, and the exit code.
+
+mod common;
+
+use common::{run, stderr};
+
+#[test]
+fn wrong_usage_names_the_value_and_what_would_be_right() {
+    for (arguments, expected) in [
+        (&["--port", "sim", "params", "get", "--profile", "9"][..], &["'9'", "1 to 5"][..]),
+        (&["--port", "sim", "control", "angle", "--pitch", "abc"], &["'abc'", "--pitch", "degrees"]),
+        (&["--port", "sim", "control", "angle", "--pitch", "1000"], &["'1000'", "-720"]),
+        (&["--port", "sim", "control", "angle"], &["--pitch"]),
+        (&["--port", "sim", "stream", "--data", "NONSENSE"], &["NONSENSE", "IMU_ANGLES"]),
+        (&["--port", "sim", "stream", "--interval", "0"], &["--interval"]),
+        (&["--port", "sim", "params", "get", "nonsense"], &["\"nonsense\""]),
+        (&["--port", "tcp://nowhere", "info"], &["tcp://nowhere"]),
+        (&["decode", "--from", "morse"], &["morse", "hex"]),
+        (&["sim"], &["--pty"]),
+    ] {
+        let output = run(arguments);
+        let message = stderr(&output);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {message}");
+        for part in expected {
+            assert!(message.contains(part), "{arguments:?}: {part:?} is not in: {message}");
+        }
+        assert!(output.stdout.is_empty());
+    }
+}
+
+#[test]
+fn a_port_that_does_not_exist_says_which_do() {
+    let output = run(&["--port", "/dev/ttyNOWHERE7", "info"]);
+    assert_eq!(output.status.code(), Some(1));
+    let message = stderr(&output);
+    assert!(message.contains("/dev/ttyNOWHERE7"), "{message}");
+    assert!(message.contains("exist") || message.contains("are "), "says which there are: {message}");
+}
+
+#[test]
+fn refused_connections_are_said() {
+    // Port 9 of the own machine: nobody listens there.
+    let output = run(&["--port", "tcp://127.0.0.1:9", "info"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(stderr(&output).contains("127.0.0.1:9"), "{}", stderr(&output));
+}
+
+#[test]
+fn help_shows_the_exit_codes() {
+    let output = run(&["--help"]);
+    assert!(output.status.success());
+    assert!(common::stdout(&output).contains("3 no answer from a board"));
+}

@@ -121,7 +121,7 @@ pub struct DebugVars3Request {}
 
 /// Asks for the values of some debug variables. The answer repeats the masks before the values.
 #[message(
-    CMD_DEBUG_VARS_3, outgoing, form = "extended", size = 4..=32, since = "2.72b0", answer = DebugVars3<'answer>
+    CMD_DEBUG_VARS_3, outgoing, form = "extended", size = 4..=32, length = 4.., since = "2.72b0", answer = DebugVars3<'answer>
 )]
 pub struct DebugVars3ExtendedRequest {
     /// Bit i of mask k asks for variable 32 k + i. As many masks as reach to the last of them.

@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::message;
 
-use crate::commands::Confirm;
+use crate::commands::{Confirm, SystemSubError};
 use crate::units::PeakAcceleration;
 use crate::wire::{Float, Reserved};
 
@@ -16,7 +16,7 @@ pub struct StateVars {
     /// The states of the six step signals.
     pub step_signal_val: [u8; 6],
     /// Why the board stopped the motors the last time it did so in an emergency; 0 when it never did.
-    pub sub_error: u8,
+    pub sub_error: SystemSubError,
     /// The greatest acceleration so far.
     pub max_acc: PeakAcceleration,
     /// How long the board has worked in all.

@@ -1,0 +1,201 @@
+//! Messages as sequences of leaves, and where two sequences differ.
+
+use sbgc_proto::reflect::{FieldInfo, Number, Presence, Shape};
+
+use crate::facts::{Count, Facts, Field, Message};
+use crate::labels;
+
+/// A leaf, or where a list starts or ends.
+struct Token<T> {
+    name: String,
+    what: What,
+    /// Whether it is in every payload.
+    always: bool,
+    about: T,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum What {
+    Number(&'static str),
+    Bytes(usize),
+    /// What is left of the payload.
+    Rest,
+    Text,
+    ListStart,
+    ListEnd,
+}
+
+impl What {
+    /// How many bytes, where that is fixed.
+    fn size(&self) -> Option<usize> {
+        match self {
+            What::Number("u8" | "i8") => Some(1),
+            What::Number("u16" | "i16") => Some(2),
+            What::Number("u24") => Some(3),
+            What::Number(_) => Some(4),
+            What::Bytes(size) => Some(*size),
+            What::Rest | What::Text | What::ListStart | What::ListEnd => None,
+        }
+    }
+}
+
+/// Whether a message is nothing but bytes.
+pub(crate) fn is_raw(shape: &Shape) -> bool {
+    matches!(&of_message(shape)[..], [token] if token.what == What::Rest)
+}
+
+/// Where a declaration is not as the facts have it.
+pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<String> {
+    let mut expected = Vec::new();
+    of_facts(facts, &fact.fields, true, &mut expected);
+    let declared = of_message(shape);
+    let mut differences = Vec::new();
+    let (mut expected, mut declared) = (&expected[..], &declared[..]);
+    // How far both have come, as long as that is fixed.
+    let mut at = Some(0);
+    loop {
+        let (Some(fact), Some(field)) = (expected.first(), declared.first()) else {
+            differences.extend(expected.first().map(|fact| format!("lacks {} and what follows", fact.name)));
+            differences.extend(declared.first().map(|field| format!("{} is one too many", field.name)));
+            return differences;
+        };
+        if let (Some(at), Some(offset)) = (at, fact.about.offset)
+            && at != offset
+        {
+            differences.push(format!("{} is at {at}, should be at {offset}", field.name));
+        }
+        // Newer firmware has put reserved bytes to use.
+        if let What::Bytes(size) = fact.what
+            && fact.name.contains("RESERVED")
+            && let Some(count) = division(declared, size)
+        {
+            at = at.map(|at| at + size);
+            (expected, declared) = (&expected[1..], &declared[count..]);
+            continue;
+        }
+        // Groups have no name of their own.
+        let is_list = matches!(fact.what, What::ListStart | What::ListEnd);
+        if fact.name != field.name && !is_list {
+            differences.push(format!("{} should be {}", field.name, fact.name));
+        }
+        if fact.what != field.what {
+            differences.push(format!("{} is {:?}, should be {:?}", field.name, field.what, fact.what));
+            if fact.what.size() != field.what.size() {
+                differences.push("what follows is not compared".into());
+                return differences;
+            }
+        }
+        if fact.always != field.always {
+            let when = if fact.always { "always" } else { "sometimes" };
+            differences.push(format!("{} should be there {when}", field.name));
+        }
+        if let Some(number) = &field.about {
+            let scale = fact.about.scale.unwrap_or(1.0);
+            let declared = number.multiply / number.divide;
+            if (declared - scale).abs() > scale.abs() * 1e-6 {
+                differences.push(format!("{} has the scale {declared}, should have {scale}", field.name));
+            }
+            differences.extend(labels::difference(facts, &fact.about, number));
+        }
+        let size = field.what.size().filter(|_| field.always);
+        at = at.zip(size).map(|(at, size)| at + size);
+        (expected, declared) = (&expected[1..], &declared[1..]);
+    }
+}
+
+/// How many tokens take exactly `size` bytes.
+fn division<T>(tokens: &[Token<T>], size: usize) -> Option<usize> {
+    let mut left = size;
+    for (index, token) in tokens.iter().enumerate() {
+        left = left.checked_sub(token.what.size()?)?;
+        if left == 0 {
+            return Some(index + 1);
+        }
+    }
+    None
+}
+
+fn of_facts(facts: &Facts, fields: &[Field], always: bool, tokens: &mut Vec<Token<Field>>) {
+    for field in fields {
+        let always = always && field.present_if.is_none() && !field.optional;
+        let token =
+            |what, about: &Field| Token { name: field.name.clone(), what, always, about: about.clone() };
+        let mut first = true;
+        let mut element = |tokens: &mut Vec<_>| {
+            let start = tokens.len();
+            if let Some(inner) = field.structure.as_ref().and_then(|name| facts.structs.get(name)) {
+                of_facts(facts, inner, always, tokens);
+            } else if field.fields.is_empty() {
+                tokens.push(token(what(&field.kind), field));
+            } else {
+                of_facts(facts, &field.fields, always, tokens);
+            }
+            // Offsets are those of the first repetition, and within a struct count from its start.
+            if !first || field.structure.is_some() {
+                tokens[start..].iter_mut().for_each(|token| token.about.offset = None);
+            }
+            first = false;
+        };
+        match field.count.as_ref().or(field.repeat.as_ref()) {
+            None => element(tokens),
+            Some(Count::Fixed(count)) => (0..*count).for_each(|_| element(tokens)),
+            Some(Count::Told) => {
+                tokens.push(token(What::ListStart, &Field { offset: None, ..field.clone() }));
+                element(tokens);
+                tokens.push(token(What::ListEnd, &Field { offset: None, ..field.clone() }));
+            }
+        }
+    }
+}
+
+fn what(kind: &str) -> What {
+    match kind {
+        "1u" => What::Number("u8"),
+        "1s" => What::Number("i8"),
+        "2u" => What::Number("u16"),
+        "2s" => What::Number("i16"),
+        "3u" => What::Number("u24"),
+        "4u" => What::Number("u32"),
+        "4s" => What::Number("i32"),
+        "4f" => What::Number("f32"),
+        "rest" => What::Rest,
+        "string" => What::Text,
+        _ => What::Bytes(kind.strip_suffix('b').and_then(|size| size.parse().ok()).expect("a known type")),
+    }
+}
+
+type Declared = Token<Option<Number>>;
+
+fn of_message(shape: &Shape) -> Vec<Declared> {
+    let mut tokens = Vec::new();
+    of_shape(shape, "", true, &mut tokens);
+    tokens
+}
+
+fn of_shape(shape: &Shape, name: &str, always: bool, tokens: &mut Vec<Declared>) {
+    let token = |what, about| Token { name: name.to_owned(), what, always, about };
+    match shape {
+        Shape::Number(number) => tokens.push(token(What::Number(number.scalar.name()), Some(*number))),
+        Shape::Bytes { least, most } if least == most => tokens.push(token(What::Bytes(*most), None)),
+        Shape::Bytes { .. } => tokens.push(token(What::Rest, None)),
+        // A text behind its length byte may be as long as that can say.
+        Shape::Text { most: 255 } => tokens.push(token(What::Text, None)),
+        Shape::Text { most } => tokens.push(token(What::Bytes(*most), None)),
+        Shape::Struct(fields) => fields.iter().for_each(|field| of_field(field, always, tokens)),
+        Shape::Group { names, element } => {
+            names.iter().for_each(|_| of_shape(element, name, always, tokens));
+        }
+        Shape::Array { count, element } => {
+            (0..*count).for_each(|_| of_shape(element, name, always, tokens));
+        }
+        Shape::List { element, .. } => {
+            tokens.push(token(What::ListStart, None));
+            of_shape(element, name, always, tokens);
+            tokens.push(token(What::ListEnd, None));
+        }
+    }
+}
+
+fn of_field(field: &FieldInfo, always: bool, tokens: &mut Vec<Declared>) {
+    of_shape(&field.shape, field.spec, always && field.presence == Presence::Always, tokens);
+}

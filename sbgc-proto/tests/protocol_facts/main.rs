@@ -1,0 +1,207 @@
+//! Compares every declared message with the facts about the protocol in `protocol/*.toml`, in both directions: no
+//! message, field, value or flag is missing here, and none is here that the facts do not have.
+//!
+//! All differences are shown at once. What differs on purpose is listed in the constants, each with its reason; an
+//! entry that has become needless is a difference too.
+
+mod facts;
+mod labels;
+mod layout;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
+use std::ops::RangeInclusive;
+
+use facts::{Facts, Key};
+use sbgc_proto::commands::{AutoPid2LegacyRequest, CanDrvTelemetry, RealtimeDataCustom, RealtimeDataCustom2};
+use sbgc_proto::reflect::{Describe, MessageInfo, Shape};
+use sbgc_proto::{CommandId, Direction, IncomingCommand, Message, OutgoingCommand};
+
+/// Commands without a type: to be removed one by one.
+#[rustfmt::skip]
+const NOT_TYPED: &[u8] = &[
+    31, 32, 43, 44, 46, 52, 60, 64, 74, 92, 97, 98, 99, 100, 101, 106, 107, 113, 115, 117, 118, 120, 122, 124, 132, 134, 135,
+    240, 250, 251, 253, 254,
+];
+
+/// Forms that are only other words for the bytes of another one: `(id, direction, form, form here)`.
+const SAME: &[(u8, Direction, &str, &str)] =
+    &[(104, Direction::Incoming, "newer", "full"), (105, Direction::Outgoing, "newer", "full")];
+
+/// What differs on purpose, and why: a difference as it is shown, with its place or without.
+#[rustfmt::skip]
+const ON_PURPOSE: &[(&str, &str)] = &[
+    // Forms.
+    ("CMD_CONFIRM incoming full: is unknown to the facts", "stands for all the forms of the next lines"),
+    ("CMD_CONFIRM incoming no_data: has no message", "the data of `Confirm` keeps its width"),
+    ("CMD_CONFIRM incoming data_1u: has no message", "the data of `Confirm` keeps its width"),
+    ("CMD_CONFIRM incoming data_2u: has no message", "the data of `Confirm` keeps its width"),
+    ("CMD_CONFIRM incoming data_long: has no message", "the data of `Confirm` keeps its width"),
+    ("CMD_AHRS_HELPER incoming stream: is unknown to the facts", "sources disagree about its length; it is kept raw"),
+    ("CMD_ERROR incoming legacy: has 1..=5 bytes, should have 5..=5", "one byte tells enough, should a board send only that"),
+    ("CMD_ERROR incoming legacy: ERROR_DATA should be there always", "the same"),
+    ("CMD_AHRS_HELPER outgoing get_short: MODE is Number(\"u8\"), should be Rest", "one or two bytes are a byte and an optional one"),
+    ("CMD_AHRS_HELPER outgoing get_short: what follows is not compared", "the same"),
+    // Types that the facts give in words.
+    ("CMD_EVENT incoming full: PARAM1 is Number(\"u16\"), should be Bytes(2)", "they are a number"),
+    // Scales that the facts give in words.
+    ("API_VIRT_CH has the scale 0.002, should have 1", "500 is full scale"),
+    ("API_VIRT_CH has the scale 0.00006103515625, should have 1", "16384 is full scale"),
+    ("RC_DATA has the scale 0.00006103515625, should have 1", "16384 is full scale"),
+    ("RC_CHANNELS has the scale 0.00006103515625, should have 1", "16384 is full scale"),
+    ("FRAME_CAM_ANGLE_20 has the scale 0.00034332275390625, should have 1", "as its name says"),
+    ("CMD_WRITE_FILE outgoing delete: PAGE_OFFSET has the scale 64, should have 1", "as in the other form"),
+    ("BOARD_VER has the scale 0.01, should have 1", "two decimals"),
+    ("BOOTLOADER_VER has the scale 0.01, should have 1", "two decimals"),
+    ("FIRMWARE_VER has the scale 0.01, should have 1", "two decimals"),
+    // Names for what the facts give in words.
+    ("API_VIRT_CH has, unlike the facts, UNDEFINED = -10000", "given in words"),
+    ("NOTE_FREQ_HZ has, unlike the facts, RESTART = 21000", "given in words"),
+    ("ACC_CUR_AXIS has, unlike the facts, X = 0, Y = 1, Z = 2", "given in words"),
+    ("SERVO_TIME has, unlike the facts, FLOATING = -1, LOW = 0", "given in words"),
+    ("DEVICE_ADDR has, unlike the facts, EXTERNAL = 0, INTERNAL = 1", "given in words"),
+    ("PORT_AND_DIR has, unlike the facts, DIR = 128", "given in words"),
+    ("TARGET has, unlike the facts, WAIT = 64", "given in words"),
+    ("CAN_DEVICE_TYPE has, unlike the facts, HARDWARE_ID = 128", "given in words"),
+    ("FRAME_IMU_REF_SRC has, unlike the facts, ENABLED = 128, INTERNAL_SENSOR = 64", "given in words"),
+    ("MAIN_IMU_REF_SRC has, unlike the facts, ENABLED = 128, INTERNAL_SENSOR = 64", "given in words"),
+    ("EXT_MOTOR_STATE_FLAG has, unlike the facts, OFF_BRAKE = 0, OFF_FLOATING = 2, OFF_SAFE_STOP = 3, ON = 1", "given in words"),
+    ("ENCODER_CFG_EXT has, unlike the facts, 12 = 32, 16 = 64, 20 = 96, 24 = 128, NONE = 0", "given in words"),
+    ("RC_MODE has, unlike the facts, INVERTED = 8", "given in words"),
+    // Names that one type has for several fields.
+    ("RC_DATA has, unlike the facts, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
+    ("RC_CHANNELS has, unlike the facts, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
+    ("API_VIRT_CH has, unlike the facts, UNDEFINED = -32768, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
+    // Names that are left out or stand elsewhere.
+    ("RC_MAP lacks ADC1 = 33, ADC2 = 34, ADC3 = 35, ADC4 = 36, EXT_FC_INPUT_PITCH = 4, EXT_FC_INPUT_ROLL = 3, NOT_ASSIGNED = 0, RC_INPUT_PITCH = 2, RC_INPUT_ROLL = 1, RC_INPUT_YAW = 5", "they are constants of `RcSource`, which is shown as kind and channel"),
+    ("CMD_RESET outgoing extended: NO_YES lacks NO = 0, YES = 1", "newer firmware has flags there, the first of which is this"),
+    ("PROFILE_FLAGS1 lacks GIMBAL_LOCK_SMOOTH_TRANSITION = 16384", "sources disagree about the bit, which has the other name"),
+    ("EULER_ORDER lacks PITCH_M_ROLL_YAW_M = 2, ROLL_PITCH_M_YAW_M = 3; has, unlike the facts, CONTROL_LOCAL_XYZ = 16, STABILIZATION_LOCAL_XYZ = 32", "orders that were renamed have their first names; the flags are given in words"),
+    ("CONTROL_MODE and CONTROL_FLAG lacks CONTROL_FLAG_FORCE_RC_SPEED = 64", "the bit has the name that it has in other modes"),
+    ("CMD_AHRS_HELPER outgoing mode1u: AHRS_HELPER_MODE lacks DISABLE_INTERNAL_CORRECTION = 1024", "the form of one byte has no such bit"),
+    ("CMD_AHRS_HELPER outgoing mode2u: AHRS_HELPER_MODE has, unlike the facts, BELOW_OUTER_MOTOR = 512, ON_FRAME = 256, WITH_FRAME_IMU = 0", "given in words"),
+];
+
+#[test]
+fn messages_are_as_the_facts_say() {
+    let facts = Facts::read();
+    let all = OutgoingCommand::ALL.iter().chain(IncomingCommand::ALL).map(Declared::of_info);
+    let besides = [
+        // The list of all messages has these as raw bytes behind a fixed head.
+        Declared::of::<CanDrvTelemetry>(),
+        Declared::of::<RealtimeDataCustom>(),
+        Declared::of::<RealtimeDataCustom2>(),
+        // Only the version of the firmware tells this from the form in that list.
+        Declared::of::<AutoPid2LegacyRequest>(),
+    ];
+    let declared: BTreeMap<Key, Declared> = all.chain(besides).collect();
+    let mut report = Report::default();
+
+    let typed = |id: u8| declared.keys().any(|key| key.id == id);
+    for (key, fact) in &facts.messages {
+        match declared.get(key).or_else(|| declared.get(&same(key)?)) {
+            Some(info) => {
+                if info.spec != fact.name {
+                    report.add(key, &format!("is called {}, should be {}", info.spec, fact.name));
+                }
+                let size = fact.least()..=fact.most();
+                if info.size != size {
+                    report.add(key, &format!("has {:?} bytes, should have {size:?}", info.size));
+                }
+                for what in layout::differences(&facts, fact, &info.shape) {
+                    report.add(key, &what);
+                }
+            }
+            None if !typed(key.id) => {}
+            None => report.add(key, "has no message"),
+        }
+    }
+    for (key, info) in &declared {
+        let raw = facts.unpublished.contains(&key.id) && layout::is_raw(&info.shape);
+        if !facts.messages.contains_key(key) && !raw {
+            report.add(key, "is unknown to the facts");
+        }
+    }
+    let missing = facts.messages.keys().map(|key| key.id).chain(facts.unpublished.iter().copied());
+    let missing: BTreeSet<u8> = missing.filter(|id| !typed(*id)).collect();
+    let not_typed: BTreeSet<u8> = NOT_TYPED.iter().copied().collect();
+    if missing != not_typed {
+        report.lines.insert(format!("without a type are {missing:?}"), Vec::new());
+    }
+    report.finish();
+    assert!(report.lines.is_empty(), "{report}");
+}
+
+/// The form whose bytes `key` has, too.
+fn same(key: &Key) -> Option<Key> {
+    let (id, direction, _, here) =
+        SAME.iter().find(|(id, direction, form, _)| *key == Key::new(*id, *direction, form))?;
+    Some(Key::new(*id, *direction, here))
+}
+
+/// What a message is declared to be.
+struct Declared {
+    spec: &'static str,
+    size: RangeInclusive<usize>,
+    shape: Shape,
+}
+
+impl Declared {
+    fn of<M: Message + Describe>() -> (Key, Self) {
+        let key = Key::new(M::ID.raw(), M::DIRECTION, M::FORM);
+        (key, Declared { spec: M::SPEC, size: M::SIZE, shape: M::SHAPE })
+    }
+
+    fn of_info(info: &MessageInfo) -> (Key, Self) {
+        let key = Key::new(info.id.raw(), info.direction, info.form);
+        (key, Declared { spec: info.spec, size: info.size.clone(), shape: info.shape })
+    }
+}
+
+/// Differences, each with the places where it is.
+#[derive(Default)]
+struct Report {
+    lines: BTreeMap<String, Vec<String>>,
+    excused: BTreeSet<&'static str>,
+}
+
+impl Report {
+    fn add(&mut self, key: &Key, what: &str) {
+        let line = format!("{key}: {what}");
+        match ON_PURPOSE.iter().find(|(text, _)| *text == line || *text == what) {
+            Some((text, _)) => {
+                self.excused.insert(text);
+            }
+            None => self.lines.entry(what.to_owned()).or_default().push(key.to_string()),
+        }
+    }
+
+    /// Adds what is excused without need.
+    fn finish(&mut self) {
+        for (text, _) in ON_PURPOSE.iter().filter(|(text, _)| !self.excused.contains(text)) {
+            self.lines.insert(format!("is no difference any more: {text}"), Vec::new());
+        }
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{} differences:", self.lines.len())?;
+        let mut lines: Vec<_> = self.lines.iter().map(|(what, places)| (places, what)).collect();
+        lines.sort();
+        lines.iter().try_for_each(|(places, what)| match &places[..] {
+            [] => writeln!(f, "- {what}"),
+            [place] => writeln!(f, "- {place}: {what}"),
+            [place, more @ ..] => writeln!(f, "- {place} and {} more: {what}", more.len()),
+        })
+    }
+}
+
+#[test]
+fn commands_have_the_names_of_the_facts() {
+    for (name, id) in Facts::read().commands {
+        let command = CommandId::from_raw(u8::try_from(id).unwrap());
+        let names = [Direction::Outgoing, Direction::Incoming].map(|direction| command.spec_name(direction));
+        assert!(names.contains(&Some(name.as_str())), "{id}: {names:?} instead of {name}");
+    }
+}

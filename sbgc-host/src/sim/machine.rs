@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::answers::Packet;
+use super::answers::{Calibration, Packet};
 use super::config::Config;
 use super::control::Steering;
 use super::motion::Motion;
@@ -19,6 +19,7 @@ pub(super) struct Machine {
     pub(super) eeprom: Vec<u8>,
     /// Whether what the menu has running is to be reported when it is done.
     pub(super) menu_runs: bool,
+    pub(super) calibration: Option<Calibration>,
 }
 
 impl Machine {
@@ -34,6 +35,7 @@ impl Machine {
             streams: Streams::default(),
             eeprom,
             menu_runs: false,
+            calibration: None,
         }
     }
 
@@ -47,11 +49,12 @@ impl Machine {
         self.steering = Steering::default();
         self.streams = Streams::default();
         self.menu_runs = false;
+        self.calibration = None;
     }
 
     /// Whether something has to be looked at when the board next works through its queue.
     pub(super) fn wants_poll(&self) -> bool {
-        self.steering.is_waiting() || self.menu_runs || self.motion.has_tasks()
+        self.steering.is_waiting() || self.menu_runs || self.calibration.is_some() || self.motion.has_tasks()
     }
 
     /// What the board says by itself.
@@ -59,6 +62,7 @@ impl Machine {
         let reached = self.steering.poll(now, &mut self.motion);
         let finished = self.motion.finish_tasks() && std::mem::take(&mut self.menu_runs);
         let packets = [reached.then(Self::control_finished), finished.then(Self::menu_finished)];
-        packets.into_iter().flatten().flatten().collect()
+        let calibrated = self.calibration_finished(now);
+        packets.into_iter().flatten().flatten().chain(calibrated).collect()
     }
 }

@@ -9,10 +9,11 @@
 use std::collections::BTreeMap;
 
 use sbgc_proto::commands::{
-    MotorTuning, Params3, ParamsExt, PidTerm, ProfileId, RcAxis, ReadParams3, ReadParamsExt,
+    MotorTuning, Params3, ParamsExt, ParamsExt2, ParamsExt3, PidTerm, ProfileId, ProfileNames, RcAxis,
+    ReadParams3, ReadParamsExt, ReadParamsExt2, ReadParamsExt3,
 };
 use sbgc_proto::units::{AccelerationLimit, Angle, VoltageThreshold};
-use sbgc_proto::wire::PerAxis;
+use sbgc_proto::wire::{FixedText, PerAxis};
 use sbgc_proto::{CommandId, Message};
 
 use super::answers::{Packet, Refusal};
@@ -25,30 +26,52 @@ pub(super) const PROFILES: u8 = 5;
 pub(super) struct Parameters {
     /// By the command that reads it and the profile.
     blocks: BTreeMap<(u8, u8), Vec<u8>>,
+    names: ProfileNames,
     active: u8,
 }
 
 impl Parameters {
     pub(super) fn new(active: u8, stored: &[StoredBlock]) -> Self {
-        let mut blocks = BTreeMap::new();
+        let mut parameters = Self {
+            blocks: BTreeMap::new(),
+            names: ProfileNames { profile_name: [1, 2, 3, 4, 5].map(factory_name) },
+            active: if active < PROFILES { active } else { 0 },
+        };
         for profile in 0..PROFILES {
-            let factory = [
-                Packet::of(&factory_block(profile)).map(|packet| (ReadParams3::ID, packet)),
-                Packet::of(&ParamsExt { profile_id: profile.into(), ..ParamsExt::default() })
-                    .map(|packet| (ReadParamsExt::ID, packet)),
-            ];
-            for (id, packet) in factory.into_iter().flatten() {
-                blocks.insert((id.raw(), profile), packet.payload);
-            }
+            parameters.restore(profile);
         }
         for block in stored {
-            if let Some(place) = blocks.get_mut(&(block.id.raw(), block.profile))
+            if let Some(place) = parameters.blocks.get_mut(&(block.id.raw(), block.profile))
                 && place.len() == block.payload.len()
             {
                 place.clone_from(&block.payload);
             }
         }
-        Self { blocks, active: if active < PROFILES { active } else { 0 } }
+        parameters
+    }
+
+    /// Puts a profile back to what it was in the factory.
+    pub(super) fn restore(&mut self, profile: u8) {
+        let profile_id = ProfileId::from(profile);
+        let factory = [
+            (ReadParams3::ID, Packet::of(&factory_block(profile))),
+            (ReadParamsExt::ID, Packet::of(&ParamsExt { profile_id, ..ParamsExt::default() })),
+            (ReadParamsExt2::ID, Packet::of(&ParamsExt2 { profile_id, ..ParamsExt2::default() })),
+            (ReadParamsExt3::ID, Packet::of(&ParamsExt3 { profile_id, ..ParamsExt3::default() })),
+        ];
+        for (id, packet) in factory {
+            if let Ok(packet) = packet {
+                self.blocks.insert((id.raw(), profile), packet.payload);
+            }
+        }
+    }
+
+    pub(super) fn names(&self) -> Result<Packet, Refusal> {
+        Packet::of(&self.names)
+    }
+
+    pub(super) fn rename(&mut self, names: ProfileNames) {
+        self.names = names;
     }
 
     /// The active profile.
@@ -96,6 +119,10 @@ impl Parameters {
     fn number(&self, profile: ProfileId) -> u8 {
         if profile.raw() < PROFILES { profile.raw() } else { self.active }
     }
+}
+
+fn factory_name(number: u8) -> FixedText<48> {
+    FixedText::new(&format!("Profile {number}")).unwrap_or_default()
 }
 
 fn factory_block(profile: u8) -> Params3 {

@@ -4,6 +4,7 @@
 //! knows of lines, versions or queues.
 
 mod board;
+mod calibration;
 mod control;
 mod parameters;
 mod realtime;
@@ -12,11 +13,14 @@ mod streams;
 use std::time::Duration;
 
 use sbgc_proto::commands::{
-    Confirm, ConfirmData, Error, ErrorCode, ErrorData, ExecuteMenuFlags, FailureCode, FsErrorCode,
+    CalibAcc, CalibGyro, CalibMag, Confirm, ConfirmData, Error, ErrorCode, ErrorData, ExecuteMenuFlags,
+    FailureCode, FsErrorCode,
 };
 use sbgc_proto::frame::MAX_PAYLOAD;
 use sbgc_proto::wire::ToWire;
 use sbgc_proto::{CommandId, Message, OutgoingCommand};
+
+pub(super) use calibration::Calibration;
 
 use super::line::Received;
 use super::machine::Machine;
@@ -61,6 +65,7 @@ pub(super) enum Refusal {
     Parameters,
     Unknown,
     NotSupported,
+    State,
     Failed,
 }
 
@@ -72,6 +77,7 @@ impl Refusal {
             (_, Self::Size) => FailureCode::General(ErrorCode::CmdSize),
             (_, Self::Parameters) => FailureCode::General(ErrorCode::WrongParams),
             (_, Self::Unknown) => FailureCode::General(ErrorCode::UnknownCommand),
+            (_, Self::State) => FailureCode::General(ErrorCode::WrongState),
             (_, Self::Failed) => FailureCode::General(ErrorCode::OperationFailed),
             (_, Self::NotSupported) => FailureCode::General(ErrorCode::NotSupported),
         };
@@ -114,6 +120,23 @@ impl Machine {
             OutgoingCommand::WriteParamsExt(_) => {
                 self.write_block(id, CommandId::ReadParamsExt, &received.payload)
             }
+            OutgoingCommand::ReadParamsExt2(request) => self.read_block(id, request.profile_id),
+            OutgoingCommand::ReadParamsExt3(request) => self.read_block(id, request.profile_id),
+            OutgoingCommand::WriteParamsExt2(_) => {
+                self.write_block(id, CommandId::ReadParamsExt2, &received.payload)
+            }
+            OutgoingCommand::WriteParamsExt3(_) => {
+                self.write_block(id, CommandId::ReadParamsExt3, &received.payload)
+            }
+            OutgoingCommand::ReadProfileNames(_) => send(self.parameters.names()),
+            OutgoingCommand::WriteProfileNames(names) => self.write_names(names),
+            OutgoingCommand::UseDefaults(request) => self.use_defaults(request.profile_id),
+            OutgoingCommand::CalibAccSimple(_)
+            | OutgoingCommand::CalibGyroSimple(_)
+            | OutgoingCommand::CalibMagSimple(_) => self.calibrate(now, id, None),
+            OutgoingCommand::CalibAccExtended(CalibAcc(request))
+            | OutgoingCommand::CalibGyroExtended(CalibGyro(request))
+            | OutgoingCommand::CalibMagExtended(CalibMag(request)) => self.calibrate(now, id, Some(&request)),
             OutgoingCommand::EepromRead(request) => self.read_eeprom(&request),
             OutgoingCommand::EepromWrite(write) => self.write_eeprom(&write),
             OutgoingCommand::ControlLegacy(command) => self.control_legacy(now, &command),
@@ -133,6 +156,13 @@ impl Machine {
             OutgoingCommand::RealtimeData4(_) => send(self.realtime_4()),
             OutgoingCommand::RealtimeDataCustom(request) => send(self.realtime_custom(now, request.flags)),
             OutgoingCommand::DataStreamInterval(request) => self.stream(now, received.version, &request),
+            // These are never answered; that they have no effect is not seen.
+            OutgoingCommand::HelperDataLegacy(_)
+            | OutgoingCommand::HelperDataExtended(_)
+            | OutgoingCommand::ApiVirtChControl(_)
+            | OutgoingCommand::ApiVirtChHighRes(_)
+            | OutgoingCommand::BeepSound(_)
+            | OutgoingCommand::ServoOut(_) => Ok(Vec::new()),
             OutgoingCommand::Unknown { .. } => Err(Refusal::Unknown),
             _ => Err(Refusal::NotSupported),
         }

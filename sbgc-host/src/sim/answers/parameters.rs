@@ -1,10 +1,15 @@
 //! Parameters and memory.
 
-use sbgc_proto::CommandId;
-use sbgc_proto::commands::{ConfirmData, EepromRead, EepromReadRequest, EepromWrite, ProfileId};
+use std::time::Duration;
 
-use super::{Refusal, Replies, confirm, message, send};
+use sbgc_proto::CommandId;
+use sbgc_proto::commands::{
+    ConfirmData, EepromRead, EepromReadRequest, EepromWrite, ProfileId, WriteProfileNames,
+};
+
+use super::{Refusal, Replies, Reply, confirm, message, send};
 use crate::sim::machine::Machine;
+use crate::sim::parameters::{PROFILES, Parameters};
 
 /// Size of a page of the EEPROM.
 const PAGE: usize = 64;
@@ -25,6 +30,27 @@ impl Machine {
     ) -> Replies {
         self.parameters.write(read_by, payload)?;
         confirm(written_by, ConfirmData::U8(0))
+    }
+
+    pub(super) fn write_names(&mut self, WriteProfileNames(names): WriteProfileNames) -> Replies {
+        self.parameters.rename(names);
+        confirm(CommandId::WriteProfileNames, ConfirmData::U8(0))
+    }
+
+    /// Puts profiles back to what they were in the factory. Erasing the EEPROM restarts the board.
+    pub(super) fn use_defaults(&mut self, profile: ProfileId) -> Replies {
+        let mut replies = confirm(CommandId::UseDefaults, ConfirmData::U8(0))?;
+        match profile {
+            ProfileId::EraseEeprom => {
+                self.parameters = Parameters::new(0, &[]);
+                self.eeprom.fill(0xFF);
+                replies.push(Reply::Reset { after: Duration::ZERO });
+            }
+            ProfileId::ResetCurrent => self.parameters.restore(self.parameters.active()),
+            profile if profile.raw() < PROFILES => self.parameters.restore(profile.raw()),
+            _ => return Err(Refusal::Parameters),
+        }
+        Ok(replies)
     }
 
     pub(super) fn read_eeprom(&self, request: &EepromReadRequest) -> Replies {

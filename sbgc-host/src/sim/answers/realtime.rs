@@ -72,6 +72,7 @@ impl Machine {
             mag_data: vectors(self.motion.axes()).1.map(|part| short(part * 1000.0)),
             imu_temperature: 38,
             frame_imu_temperature: 35,
+            calib_mode: self.calibration_mode(),
             actual_angle: angles,
             ..RealtimeData4::default()
         })

@@ -1,10 +1,12 @@
 //! Motion, motors, the menu, restarts.
 
 use sbgc_proto::commands::{
-    AnglesExt, Confirm, ConfirmData, Control, ControlAxis, ControlConfig, ControlConfigFlags, ControlMode,
-    ExecuteMenu, ExecuteMenuExtended, ExecuteMenuFlags, GetAnglesExt, MenuCommand, MotorsOff, MotorsOn,
-    Params3, ProfileId, ReadParams3, RealtimeData3, RealtimeData3Request, RealtimeDataCustom,
-    RealtimeDataCustomFlags, RealtimeDataCustomRequest, Reset, ResetExtendedRequest, ResetFlags, RtDataFlags,
+    AnglesExt, CalibAction, CalibGyro, CalibGyroSimple, CalibMode, Confirm, ConfirmData, Control,
+    ControlAxis, ControlConfig, ControlConfigFlags, ControlMode, ExecuteMenu, ExecuteMenuExtended,
+    ExecuteMenuFlags, GetAnglesExt, ImuCalibration, MenuCommand, MotorsOff, MotorsOn, Params3, ProfileId,
+    ReadParams3, RealtimeData3, RealtimeData3Request, RealtimeData4, RealtimeData4Request,
+    RealtimeDataCustom, RealtimeDataCustomFlags, RealtimeDataCustomRequest, Reset, ResetExtendedRequest,
+    ResetFlags, RtDataFlags,
 };
 use sbgc_proto::frame::Version;
 use sbgc_proto::units::{Angle, ControlRate};
@@ -215,4 +217,19 @@ fn chosen_data_is_what_was_chosen_or_an_error() {
     assert!((data.z_vector.unwrap().y.get() - 1.0).abs() < 1e-6, "{data:?}");
     let refused = RealtimeDataCustomRequest::new(RealtimeDataCustomFlags::SYSTEM_POWER_STATE).unwrap();
     assert_eq!(bench.ask_one(&refused).payload[..2], [88, 2]);
+}
+
+#[test]
+fn a_calibration_takes_its_time() {
+    let mut bench = Bench::new(Config::default());
+    let request = CalibGyro(ImuCalibration { action: CalibAction::Regular, ..ImuCalibration::default() });
+    assert_eq!(confirmed(&bench.ask_one(&request)), (CommandId::CalibGyro, 0));
+    assert_eq!(bench.ask_one(&request).payload[..2], [103, 8]);
+    let mode = bench.ask_one(&RealtimeData4Request {}).decoded::<RealtimeData4>().calib_mode;
+    assert_eq!(mode, CalibMode::Gyro);
+    assert_eq!(bench.run(ms(3900)), []);
+    assert_eq!(confirmed(&bench.run(ms(100))[0]), (CommandId::CalibGyro, 0));
+    assert_eq!(bench.ask(&CalibGyroSimple {}).len(), 1);
+    assert_eq!(bench.run(ms(10_000)), []);
+    assert_eq!(bench.board.next_event(), None);
 }

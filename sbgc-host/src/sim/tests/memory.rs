@@ -1,9 +1,10 @@
 //! What the board keeps.
 
 use sbgc_proto::commands::{
-    Confirm, ConfirmData, EepromRead, EepromReadRequest, EepromWrite, Params3, ProfileId, ReadParams3,
-    ReadParamsExt,
+    Confirm, ConfirmData, EepromRead, EepromReadRequest, EepromWrite, Params3, ProfileId, ProfileNames,
+    ReadParams3, ReadParamsExt, ReadProfileNames, UseDefaults, WriteProfileNames,
 };
+use sbgc_proto::wire::FixedText;
 use sbgc_proto::{CommandId, Message};
 
 use super::{Bench, ms};
@@ -12,7 +13,7 @@ use crate::sim::{Config, StoredBlock};
 #[test]
 fn blocks_keep_every_byte() {
     let mut bench = Bench::new(Config { profile: 3, ..Config::default() });
-    for (read, write, length) in [(21, 22, 134), (33, 34, 104)] {
+    for (read, write, length) in [(21, 22, 134), (33, 34, 104), (62, 63, 151), (104, 105, 221)] {
         for fill in [0x00, 0x55, 0xFF] {
             let mut block = vec![fill; length];
             block[0] = 2;
@@ -72,4 +73,25 @@ fn the_eeprom_is_read_by_pages() {
         let got = bench.ask_one(&EepromReadRequest { addr, size });
         assert_eq!(got.payload[..2], [48, 10], "{addr} {size}");
     }
+}
+
+#[test]
+fn names_and_defaults() {
+    let mut bench = Bench::new(Config::default());
+    let mut names = bench.ask_one(&ReadProfileNames {}).decoded::<ProfileNames>();
+    assert_eq!(names.profile_name[4].as_str(), Ok("Profile 5"));
+    names.profile_name[0] = FixedText([0xE9; 48]);
+    bench.ask_one(&WriteProfileNames(names.clone()));
+    assert_eq!(bench.ask_one(&ReadProfileNames {}).decoded::<ProfileNames>(), names);
+
+    let second = |bench: &mut Bench| bench.ask_one(&ReadParams3 { profile_id: ProfileId::Profile2 });
+    let factory = second(&mut bench);
+    bench.send_raw(22, &[1; 134]);
+    bench.run(ms(8));
+    assert_ne!(second(&mut bench), factory);
+    bench.ask_one(&UseDefaults { profile_id: ProfileId::Profile2 });
+    assert_eq!(second(&mut bench), factory);
+    bench.ask_one(&UseDefaults { profile_id: ProfileId::EraseEeprom });
+    bench.run(ms(8));
+    assert_eq!(bench.board.resets(), 1);
 }

@@ -216,34 +216,6 @@ pub struct ModuleFlashFinish {
     pub file_crc32: u32,
 }
 
-macro_rules! raw {
-    ($($(#[doc = $doc:literal])+ $name:ident($command:ident, $direction:ident))*) => { $(
-        $(#[doc = $doc])+
-        #[message($command, $direction, size = 0..=255)]
-        #[derive(Copy)]
-        pub struct $name<'a> {
-            /// The payload.
-            pub data: &'a [u8],
-        }
-    )* };
-}
-
-// Which way these go is not published either, so both are there.
-raw! {
-    /// To the board, about hardware parameters of a CAN driver. The payload is not published.
-    CanDrvHardParamsRequest(CMD_CAN_DRV_HARD_PARAMS, outgoing)
-    /// From the board, about hardware parameters of a CAN driver. The payload is not published.
-    CanDrvHardParams(CMD_CAN_DRV_HARD_PARAMS, incoming)
-    /// To the board, about the state of a CAN driver. The payload is not published.
-    CanDrvStateRequest(CMD_CAN_DRV_STATE, outgoing)
-    /// From the board, about the state of a CAN driver. The payload is not published.
-    CanDrvState(CMD_CAN_DRV_STATE, incoming)
-    /// To the board, about the address of a device. The payload is not published.
-    SetDeviceAddrRequest(CMD_SET_DEVICE_ADDR, outgoing)
-    /// From the board, about the address of a device. The payload is not published.
-    SetDeviceAddr(CMD_SET_DEVICE_ADDR, incoming)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -34,6 +34,7 @@ mod storage;
 mod streams;
 mod system;
 mod tuning;
+mod unpublished;
 
 pub use actions::*;
 pub use adjustable::*;
@@ -56,3 +57,4 @@ pub use storage::*;
 pub use streams::*;
 pub use system::*;
 pub use tuning::*;
+pub use unpublished::*;

@@ -12,7 +12,6 @@ mod reference;
 mod simple;
 #[cfg(test)]
 mod tests;
-mod unpublished;
 
 pub use encoders::*;
 pub use imu::*;
@@ -20,4 +19,3 @@ pub use info::*;
 pub use motors::*;
 pub use reference::*;
 pub use simple::*;
-pub use unpublished::*;

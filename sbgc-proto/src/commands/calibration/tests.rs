@@ -146,10 +146,3 @@ fn encoders_take_more_with_each_firmware() {
     assert_eq!(message.calib_flags, both | EncoderCalibFlags::from_bits_retain(0x8000));
     is(&message, &payload);
 }
-
-#[test]
-fn unpublished_payloads_stay_bytes() {
-    assert_eq!(CoggingCalibInfo::decode(&[]), Ok(CoggingCalibInfo { data: &[] }));
-    is(&ImuAdvancedCalibRequest { data: &[1, 2] }, &[1, 2]);
-    is(&CalibEncoderLutRes { data: &[7; 255] }, &[7; 255]);
-}

@@ -1,4 +1,4 @@
-//! Commands of parameters whose payload is not published, or no longer used.
+//! Commands of the parameters of old boards.
 
 use sbgc_proto_macros::message;
 
@@ -29,20 +29,6 @@ pub struct Params<'a> {
 /// Deprecated, and not published.
 #[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", size = 0..=255, answer = Confirm)]
 pub struct WriteParams<'a> {
-    /// The bytes.
-    pub data: &'a [u8],
-}
-
-/// A command of which only the id and the name are published.
-#[message(CMD_QUEUE_PARAMS_INFO_3, outgoing, form = "undocumented", size = 0..=255)]
-pub struct QueueParamsInfo3Request<'a> {
-    /// The bytes.
-    pub data: &'a [u8],
-}
-
-/// A message of which only the id and the name are published.
-#[message(CMD_QUEUE_PARAMS_INFO_3, incoming, form = "undocumented", size = 0..=255)]
-pub struct QueueParamsInfo3<'a> {
     /// The bytes.
     pub data: &'a [u8],
 }

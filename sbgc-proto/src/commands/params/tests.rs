@@ -209,7 +209,6 @@ fn profiles_are_asked_for_by_number() {
     }
     assert_eq!(whole::<WriteParamsSet>(&[1]).action, WriteParamsSetAction::Start);
     assert_eq!(whole::<Params<'_>>(&[1, 2, 3]).data, [1, 2, 3]);
-    assert_eq!(whole::<QueueParamsInfo3<'_>>(&[]).data, []);
 }
 
 #[test]

@@ -11,7 +11,6 @@ mod fixed;
 mod state;
 #[cfg(test)]
 mod tests;
-mod unpublished;
 
 pub use angles::*;
 pub use blocks::*;
@@ -19,6 +18,5 @@ pub use custom::*;
 pub use custom2::*;
 pub use fixed::*;
 pub use state::*;
-pub use unpublished::*;
 
 pub(super) use custom::decode_view;

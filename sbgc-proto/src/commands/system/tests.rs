@@ -63,10 +63,3 @@ fn the_debug_port_shows_other_ports() {
     };
     assert_eq!(bytes(&request), [1, 0x20, 8, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0]);
 }
-
-#[test]
-fn unpublished_payloads_are_bytes() {
-    assert_eq!(bytes(&ExtLicenseInfo::decode(&[1, 2]).unwrap()), [1, 2]);
-    assert!(UartBypassRequest::decode(&[]).unwrap().data.is_empty());
-    assert_eq!(Obgc::SUMMARY, "From boards with the OpenBGC firmware; its payload is not published.");
-}

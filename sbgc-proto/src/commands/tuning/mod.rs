@@ -5,9 +5,7 @@ mod auto_pid2;
 mod bode;
 #[cfg(test)]
 mod tests;
-mod vibration;
 
 pub use auto_pid::*;
 pub use auto_pid2::*;
 pub use bode::*;
-pub use vibration::*;

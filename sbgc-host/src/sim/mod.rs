@@ -30,6 +30,7 @@ mod pty;
 mod serve;
 mod streams;
 mod tcp;
+mod variables;
 
 pub use board::{Board, POLL};
 pub use config::{Config, StoredBlock};

@@ -8,6 +8,7 @@ use super::control::Steering;
 use super::motion::Motion;
 use super::parameters::Parameters;
 use super::streams::Streams;
+use super::variables::Variables;
 
 #[derive(Debug)]
 pub(super) struct Machine {
@@ -16,6 +17,7 @@ pub(super) struct Machine {
     pub(super) steering: Steering,
     pub(super) parameters: Parameters,
     pub(super) streams: Streams,
+    pub(super) variables: Variables,
     pub(super) eeprom: Vec<u8>,
     /// Whether what the menu has running is to be reported when it is done.
     pub(super) menu_runs: bool,
@@ -33,6 +35,7 @@ impl Machine {
             steering: Steering::default(),
             parameters,
             streams: Streams::default(),
+            variables: Variables::default(),
             eeprom,
             menu_runs: false,
             calibration: None,
@@ -48,6 +51,7 @@ impl Machine {
         self.motion.restart(self.config.limits, self.config.motors_on);
         self.steering = Steering::default();
         self.streams = Streams::default();
+        self.variables.reset();
         self.menu_runs = false;
         self.calibration = None;
     }

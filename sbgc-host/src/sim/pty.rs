@@ -2,7 +2,7 @@
 
 use std::fs::{self, File, OpenOptions};
 use std::io;
-use std::os::unix::fs::{FileTypeExt, OpenOptionsExt, symlink};
+use std::os::unix::fs::{OpenOptionsExt, symlink};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -107,9 +107,11 @@ impl Drop for Link {
     }
 }
 
-/// Whether this is a link to nothing or to a pseudo-terminal, as an earlier board may have left it.
+/// Whether this is a link to a pseudo-terminal, or to a device that is gone, as an earlier board may have left it.
 fn is_stale(link: &Path) -> bool {
     let Ok(target) = fs::read_link(link) else { return false };
-    target.starts_with("/dev")
-        && fs::metadata(link).map_or(true, |metadata| metadata.file_type().is_char_device())
+    let is_pty = ["/dev/pts", "/dev/ttys"]
+        .iter()
+        .any(|place| target.to_str().is_some_and(|target| target.starts_with(place)));
+    is_pty || (target.starts_with("/dev") && fs::metadata(link).is_err())
 }

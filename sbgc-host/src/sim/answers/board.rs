@@ -10,11 +10,16 @@ use crate::sim::machine::Machine;
 
 impl Machine {
     pub(super) fn board_info(&self) -> Replies {
+        let config = self.config();
         message(&BoardInfo {
-            board_ver: self.config().board,
-            firmware_ver: self.config().firmware,
-            board_features: BoardFeatures::THREE_AXES,
-            connection_flag: ConnectionFlags::USB,
+            board_ver: config.board,
+            firmware_ver: config.firmware,
+            board_features: if config.axes >= 3 { BoardFeatures::THREE_AXES } else { BoardFeatures::empty() },
+            connection_flag: if config.bit_rate.is_none() {
+                ConnectionFlags::USB
+            } else {
+                ConnectionFlags::empty()
+            },
             ..BoardInfo::default()
         })
     }

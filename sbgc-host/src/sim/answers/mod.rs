@@ -9,12 +9,13 @@ mod control;
 mod parameters;
 mod realtime;
 mod streams;
+mod variables;
 
 use std::time::Duration;
 
 use sbgc_proto::commands::{
     CalibAcc, CalibGyro, CalibMag, Confirm, ConfirmData, Error, ErrorCode, ErrorData, ExecuteMenuFlags,
-    FailureCode, FsErrorCode,
+    FailureCode, FsErrorCode, SetAdjVarsVal,
 };
 use sbgc_proto::frame::MAX_PAYLOAD;
 use sbgc_proto::wire::ToWire;
@@ -156,6 +157,14 @@ impl Machine {
             OutgoingCommand::RealtimeData4(_) => send(self.realtime_4()),
             OutgoingCommand::RealtimeDataCustom(request) => send(self.realtime_custom(now, request.flags)),
             OutgoingCommand::DataStreamInterval(request) => self.stream(now, received.version, &request),
+            OutgoingCommand::SetAdjVarsVal(SetAdjVarsVal(values)) => self.set_variables(&values),
+            OutgoingCommand::GetAdjVarsVal(request) => self.variables(&request.param_id),
+            OutgoingCommand::SaveParams3Simple(_) => self.save_variables(None),
+            OutgoingCommand::SaveParams3Extended(request) => self.save_variables(Some(&request.adj_var_id)),
+            OutgoingCommand::DebugVarsInfo3Simple(_) => self.debug_variables_info(0),
+            OutgoingCommand::DebugVarsInfo3Extended(request) => self.debug_variables_info(request.start_idx),
+            OutgoingCommand::DebugVars3Simple(_) => self.debug_variables(None),
+            OutgoingCommand::DebugVars3Extended(request) => self.debug_variables(Some(&request)),
             // These are never answered; that they have no effect is not seen.
             OutgoingCommand::HelperDataLegacy(_)
             | OutgoingCommand::HelperDataExtended(_)

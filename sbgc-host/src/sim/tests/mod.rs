@@ -5,6 +5,7 @@ mod line;
 mod memory;
 mod serving;
 mod streams;
+mod variables;
 
 use std::time::Duration;
 

@@ -98,6 +98,11 @@ mod pty {
         assert_eq!(fs::read(&link).unwrap(), b"mine");
         fs::remove_file(&link).unwrap();
 
+        // A link to a device that is there is somebody's.
+        std::os::unix::fs::symlink("/dev/null", &link).unwrap();
+        assert_eq!(Pty::open(Some(&link)).unwrap_err().kind(), std::io::ErrorKind::AlreadyExists);
+        fs::remove_file(&link).unwrap();
+
         std::os::unix::fs::symlink("/dev/pts/no-such", &link).unwrap();
         let pty = Pty::open(Some(&link)).unwrap();
         assert_eq!(fs::read_link(&link).unwrap(), pty.path());

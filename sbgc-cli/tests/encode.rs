@@ -33,6 +33,11 @@ fn argument(field: &Value) -> String {
     let value = match (&field["type"], &field["value"]) {
         (Value::String(kind), _) if kind == "bytes" => field["raw"].as_str().unwrap().to_owned(),
         (_, Value::String(text)) => text.clone(),
+        // The data of a confirmation has a width of its own, which hex digits tell.
+        _ if field["spec"] == "DATA" && field["raw"].is_u64() => {
+            let width = 2 * usize::try_from(field["size"].as_u64().unwrap()).unwrap();
+            format!("{:#0width$x}", field["raw"].as_u64().unwrap(), width = width + 2)
+        }
         (_, Value::Null) => field["raw"].as_str().unwrap().to_owned(),
         (_, number) => number.to_string(),
     };

@@ -28,7 +28,8 @@ macro_rules! quantities {
         $(#[doc = $doc:literal])+
         $name:ident($integer:ident): $get:ident / $from:ident / $try_from:ident -> $float:ident,
         $unit:literal, $multiply:literal / $divide:literal
-        $(, special { $($(#[doc = $special_doc:literal])+ $special:ident = $special_raw:literal;)* })?;
+        $(, special { $($(#[doc = $special_doc:literal])+ $special:ident = $special_raw:literal;)* })?
+        $(, names { $($(#[doc = $name_doc:literal])+ $named:ident = $name_raw:literal;)* })?;
     )*) => { $(
         $(#[doc = $doc])+
         #[doc = ""]
@@ -42,6 +43,28 @@ macro_rules! quantities {
                 $(#[doc = $special_doc])+
                 pub const $special: Self = Self($special_raw);
             )*)?
+
+            $(
+                $(
+                    $(#[doc = $name_doc])+
+                    pub const $named: Self = Self($name_raw);
+                )*
+
+                /// The names that some values have besides.
+                pub const NAMES: &'static [crate::wire::Label] = &[
+                    $(crate::wire::Label {
+                        value: $name_raw,
+                        name: stringify!($named),
+                        doc: crate::wire::first_doc!($($name_doc)+),
+                    }),*
+                ];
+
+                /// The name that the value has besides, if any.
+                pub fn name(self) -> Option<&'static str> {
+                    let label = Self::NAMES.iter().find(|label| label.value == i64::from(self.0))?;
+                    Some(label.name)
+                }
+            )?
 
             #[doc = concat!("The physical value in ", $unit, ".")]
             #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss,
@@ -267,8 +290,8 @@ quantities! {
         RESTART = 21000;
     };
 
-    /// The version of the board, 3.0 for raw 30. Special values are the boards that have a name of their own.
-    BoardVersion(u8): number / from_number / try_from_number -> f32, "", 1 / 10, special {
+    /// The version of the board, 3.0 for raw 30. Some boards have a name of their own.
+    BoardVersion(u8): number / from_number / try_from_number -> f32, "", 1 / 10, names {
         /// Tiny rev. C with the GD32 processor.
         TINY_REV_C_GD32 = 25;
         /// Extended, long, with the GD32 processor.

@@ -25,7 +25,7 @@ enum What {
 
 #[derive(Args, Debug)]
 struct Get {
-    /// Names or beginnings of paths, such as rc_memory, axes.pitch or SERVO_RATE; all when left out
+    /// Names or beginnings of paths, such as rc_memory, motors.pitch or SERVO_RATE; all when left out
     names: Vec<String>,
 
     /// Profile 1 to 5, or `current`

@@ -5,7 +5,7 @@ use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::pin::Pin;
 
-use clap::Args;
+use clap::{ArgGroup, Args};
 #[cfg(unix)]
 use sbgc_host::sim::Pty;
 use sbgc_host::sim::{self, Board, Config};
@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::output::Output;
 
 #[derive(Args, Debug)]
-#[group(id = "place", required = true, multiple = false, args = ["pty", "tcp"])]
+#[command(group = ArgGroup::new("place").required(true).args(["pty", "tcp"]))]
 pub(crate) struct Sim {
     /// Serve on a pseudo-terminal
     #[arg(long)]

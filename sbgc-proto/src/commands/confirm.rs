@@ -375,6 +375,15 @@ mod reflection {
         ) -> Result<(), AssignError> {
             let mut number = 0_u32;
             number.assign(path, value, field)?;
+            // Hex digits tell the width too.
+            if let Input::Text(text) = value {
+                *self = match text.trim().strip_prefix("0x").map(str::len) {
+                    Some(3..=4) => ConfirmData::U16(0),
+                    Some(5..=6) => ConfirmData::U24(U24::default()),
+                    Some(7..) => ConfirmData::U32(0),
+                    _ => *self,
+                };
+            }
             let (bytes, halves) = (u8::try_from(number), u16::try_from(number));
             *self = match (*self, bytes, halves, U24::try_from(number)) {
                 (ConfirmData::None | ConfirmData::U8(_), Ok(byte), _, _) => ConfirmData::U8(byte),
@@ -537,5 +546,7 @@ mod tests {
             set(&mut data, "", Input::Raw(value)).unwrap();
             assert_eq!(data, expected);
         }
+        set(&mut data, "", Input::Text("0x0016")).unwrap();
+        assert_eq!(data, ConfirmData::U16(22));
     }
 }

@@ -13,15 +13,17 @@ use std::fmt;
 use std::ops::RangeInclusive;
 
 use facts::{Facts, Key};
-use sbgc_proto::commands::{AutoPid2LegacyRequest, CanDrvTelemetry, RealtimeDataCustom, RealtimeDataCustom2};
+use sbgc_proto::commands::{
+    AdjVarsStateLegacy, AutoPid2LegacyRequest, CanDrvTelemetry, DebugVars3Masked, RealtimeDataCustom,
+    RealtimeDataCustom2,
+};
 use sbgc_proto::reflect::{Describe, MessageInfo, Shape};
 use sbgc_proto::{CommandId, Direction, IncomingCommand, Message, OutgoingCommand};
 
 /// Commands without a type: to be removed one by one.
 #[rustfmt::skip]
 const NOT_TYPED: &[u8] = &[
-    31, 32, 43, 44, 46, 52, 60, 64, 74, 92, 97, 98, 99, 100, 101, 106, 107, 113, 115, 117, 118, 120, 122, 124, 132, 134, 135,
-    240, 250, 251, 253, 254,
+    60, 97, 98, 99, 107, 113, 124, 240, 250, 251,
 ];
 
 /// Forms that are only other words for the bytes of another one: `(id, direction, form, form here)`.
@@ -42,6 +44,10 @@ const ON_PURPOSE: &[(&str, &str)] = &[
     ("CMD_ERROR incoming legacy: ERROR_DATA should be there always", "the same"),
     ("CMD_AHRS_HELPER outgoing get_short: MODE is Number(\"u8\"), should be Rest", "one or two bytes are a byte and an optional one"),
     ("CMD_AHRS_HELPER outgoing get_short: what follows is not compared", "the same"),
+    ("CMD_GET_ADJ_VARS_VAL outgoing full: has 1..=41 bytes, should have 2..=41", "the list may be empty"),
+    ("CMD_GET_ADJ_VARS_VAL_F outgoing full: has 1..=41 bytes, should have 2..=41", "the list may be empty"),
+    ("has 1..=201 bytes, should have 6..=201", "the list may be empty"),
+    ("CMD_SAVE_PARAMS_3 outgoing extended: has 0..=255 bytes, should have 1..=255", "the list may be empty"),
     // Types that the facts give in words.
     ("CMD_EVENT incoming full: PARAM1 is Number(\"u16\"), should be Bytes(2)", "they are a number"),
     // Scales that the facts give in words.
@@ -54,7 +60,13 @@ const ON_PURPOSE: &[(&str, &str)] = &[
     ("BOARD_VER has the scale 0.01, should have 1", "two decimals"),
     ("BOOTLOADER_VER has the scale 0.01, should have 1", "two decimals"),
     ("FIRMWARE_VER has the scale 0.01, should have 1", "two decimals"),
+    ("ANALOG_SRC_VALUE has the scale 0.00006103515625, should have 1", "16384 is full scale"),
+    ("LUT_SRC_VALUE has the scale 0.00006103515625, should have 1", "16384 is full scale"),
+    ("TRIGGER_RC_DATA has the scale 0.00006103515625, should have 1", "16384 is full scale"),
+    ("RC_VAL has the scale 0.00006103515625, should have 1", "16384 is full scale"),
     // Names for what the facts give in words.
+    ("VAR_ID has, unlike the facts, MULTIPLIER = 128", "given in words"),
+    ("DEBUG_VAR_TYPE has, unlike the facts, NONE = 0, VAR_FLAG_PITCH = 32, VAR_FLAG_ROLL = 16, VAR_FLAG_YAW = 48", "axes are a part, not flags"),
     ("API_VIRT_CH has, unlike the facts, UNDEFINED = -10000", "given in words"),
     ("NOTE_FREQ_HZ has, unlike the facts, RESTART = 21000", "given in words"),
     ("ACC_CUR_AXIS has, unlike the facts, X = 0, Y = 1, Z = 2", "given in words"),
@@ -69,6 +81,9 @@ const ON_PURPOSE: &[(&str, &str)] = &[
     ("ENCODER_CFG_EXT has, unlike the facts, 12 = 32, 16 = 64, 20 = 96, 24 = 128, NONE = 0", "given in words"),
     ("RC_MODE has, unlike the facts, INVERTED = 8", "given in words"),
     // Names that one type has for several fields.
+    ("ANALOG_SRC_VALUE has, unlike the facts, UNDEFINED = -32768, UNDEFINED_OLD = -32767", "those of `RcSignal`"),
+    ("LUT_SRC_VALUE has, unlike the facts, UNDEFINED = -32768, UNDEFINED_OLD = -32767", "those of `RcSignal`"),
+    ("TRIGGER_RC_DATA has, unlike the facts, UNDEFINED = -32768, UNDEFINED_OLD = -32767", "those of `RcSignal`"),
     ("RC_DATA has, unlike the facts, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
     ("RC_CHANNELS has, unlike the facts, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
     ("API_VIRT_CH has, unlike the facts, UNDEFINED = -32768, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
@@ -91,7 +106,9 @@ fn messages_are_as_the_facts_say() {
         Declared::of::<CanDrvTelemetry>(),
         Declared::of::<RealtimeDataCustom>(),
         Declared::of::<RealtimeDataCustom2>(),
-        // Only the version of the firmware tells this from the form in that list.
+        Declared::of::<DebugVars3Masked<'_>>(),
+        // Only the version of the firmware tells these from the forms in that list.
+        Declared::of::<AdjVarsStateLegacy>(),
         Declared::of::<AutoPid2LegacyRequest>(),
     ];
     let declared: BTreeMap<Key, Declared> = all.chain(besides).collect();

@@ -6,7 +6,7 @@ use std::pin::pin;
 
 use futures_core::Stream;
 use sbgc_host::proto::CommandId;
-use sbgc_host::proto::commands::{Angles, RealtimeDataCustom, RealtimeDataCustomFlags};
+use sbgc_host::proto::commands::{Angles, RealtimeDataCustom, RealtimeDataCustomFlags, StreamSource};
 use sbgc_host::streams::Item;
 use sbgc_host::{Error, Options, Sample, StreamRequest, Subscription};
 use support::*;
@@ -179,10 +179,7 @@ async fn samples_as_messages() {
 async fn samples_that_need_a_context() {
     let (gimbal, mut board) = gimbal();
     let flags = RealtimeDataCustomFlags::IMU_ANGLES;
-    let mut config = [0; 8];
-    config[..4].copy_from_slice(&flags.bits().to_le_bytes());
-    let request =
-        StreamRequest { config, length: Some(8), ..StreamRequest::new(CommandId::RealtimeDataCustom, 10) };
+    let request = StreamRequest::of(StreamSource::RealtimeDataCustom(flags), 10);
     let (subscription, _) = tokio::join!(gimbal.subscribe(request), board.confirm_stream());
     let mut samples = subscription.unwrap().typed_with::<RealtimeDataCustom, _>(flags);
     // Another stream of the same command, told apart by its length.

@@ -302,3 +302,82 @@ fn the_end_gives_up_requests_and_keeps_commands() {
     assert_eq!(session.dismiss(), [who("a"), who("b")]);
     assert_eq!(sent(&mut session, now), [85]);
 }
+
+mod whatever_happens {
+    use std::collections::HashSet;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    /// A waiter that can be told from all others.
+    #[derive(Debug)]
+    struct Number(usize);
+
+    impl Waiter for Number {
+        fn is_gone(&self) -> bool {
+            // Some leave at once.
+            self.0 % 7 == 6
+        }
+    }
+
+    #[derive(Clone, Debug)]
+    enum Step {
+        Request { command: u8, payload: u8, answer: u8, attempts: u32 },
+        Send(u8),
+        Frame(u8, Vec<u8>),
+        Wait(u64),
+    }
+
+    fn step() -> impl Strategy<Value = Step> {
+        // Few ids and values, so that they meet.
+        let command = prop_oneof![Just(21_u8), Just(48), Just(77), Just(86)];
+        let answer = prop_oneof![Just(21_u8), Just(48), Just(67), Just(86), Just(255)];
+        prop_oneof![
+            (command.clone(), 0..6_u8, answer.clone(), 1..4_u32).prop_map(
+                |(command, payload, answer, attempts)| Step::Request { command, payload, answer, attempts }
+            ),
+            command.prop_map(Step::Send),
+            (answer, prop::collection::vec(prop_oneof![0..6_u8, Just(77), Just(86)], 0..7))
+                .prop_map(|(id, payload)| Step::Frame(id, payload)),
+            (0..400_u64).prop_map(Step::Wait),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn everybody_is_told_exactly_once(steps in prop::collection::vec(step(), 0..200)) {
+            let (mut session, mut now) = (Session::<Number>::default(), Instant::now());
+            let (mut asked, mut told) = (0, HashSet::new());
+            let mut tell = |waiter: Number| assert!(told.insert(waiter.0), "{} is told twice", waiter.0);
+            let quiet = std::iter::repeat_n(Step::Wait(400), 4 * 200 * 3);
+            for step in steps.into_iter().chain(quiet) {
+                match step {
+                    Step::Request { command, payload, answer, attempts } => {
+                        let payload = bytes(&[payload; 6]);
+                        let key = Key::of_request(command, &payload, answer);
+                        let call = Call { command, payload, key, timeout: MS(500), attempts };
+                        session.request(now, call, Number(asked));
+                        asked += 1;
+                    }
+                    Step::Send(command) => session.send(now, command, Bytes::new()),
+                    Step::Frame(id, payload) => {
+                        if let Verdict::Answer(waiter, _) = session.on_frame(now, id, &bytes(&payload)) {
+                            tell(waiter);
+                        }
+                    }
+                    Step::Wait(millis) => now += MS(millis),
+                }
+                while let Some((waiter, _)) = session.on_deadline(now) {
+                    tell(waiter);
+                }
+                while session.next_to_send(now, 255).is_some() {}
+                prop_assert!(!session.wants_to_send(now));
+                // Or the task would never sleep.
+                prop_assert!(session.next_deadline(now).is_none_or(|deadline| deadline > now));
+            }
+            prop_assert_eq!(session.queued(), 0);
+            prop_assert_eq!(told.len(), (0..asked).filter(|number| number % 7 != 6).count());
+        }
+    }
+}

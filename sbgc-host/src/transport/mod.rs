@@ -60,8 +60,7 @@ impl Default for Line {
 impl Address {
     /// Opens it. The line is for serial ports alone.
     ///
-    /// The simulated board has no port: this crate's feature `sim` makes one to be given to
-    /// [`Gimbal::new`](crate::Gimbal::new) itself.
+    /// With the feature `sim`, `sim` starts a simulated board as it comes from the factory; it ends with the link.
     ///
     /// ```no_run
     /// # async fn example() -> sbgc_host::Result<()> {

@@ -7,46 +7,26 @@
 
 use std::ops::Range;
 
-use sbgc_proto::commands::CanDrvTelemetryFlags;
+use sbgc_proto::commands::{CanDrvTelemetryFlags, DebugVarKind, DebugVarValue};
 use sbgc_proto::frame::{Decoder, Event, MAX_FRAME, Version, Versions};
 use sbgc_proto::reflect::{self, Leaf, Raw};
 use sbgc_proto::{CommandId, IncomingCommand, Message, OutgoingCommand};
 use serde_json::Value;
 
-/// Commands that are not typed yet: `(id, incoming)`.
-#[rustfmt::skip]
-const MISSING: &[(u8, bool)] = &[
-    (31, false), (31, true), (32, false), (46, false), (100, false), (132, true), (134, false), (134, true),
-    (253, false), (254, false), (254, true),
-];
-
 #[test]
 fn examples_decode_to_their_fields_and_back() {
     let mut complaints = Vec::new();
-    let mut untyped = Vec::new();
     for (index, line) in include_str!("protocol/vectors.jsonl").lines().enumerate() {
         let example = Example::new(&serde_json::from_str(line).unwrap());
         match example.check() {
             Ok(()) => {}
-            Err(Fault::Untyped) => untyped.push((example.id, example.incoming)),
-            Err(Fault::Wrong(what)) => {
+            Err(what) => {
                 let id = CommandId::from_raw(example.id);
                 complaints.extend(what.iter().map(|what| format!("line {}, {id:?}: {what}", index + 1)));
             }
         }
     }
-    untyped.sort_unstable();
-    untyped.dedup();
-    if untyped != MISSING {
-        complaints.push(format!("not typed, (id, incoming): {untyped:?}"));
-    }
     assert!(complaints.is_empty(), "{} complaints:\n{}", complaints.len(), complaints.join("\n"));
-}
-
-enum Fault {
-    /// The command has no type.
-    Untyped,
-    Wrong(Vec<String>),
 }
 
 struct Example {
@@ -58,6 +38,8 @@ struct Example {
     fields: Vec<Part>,
     /// What the request selected, where the payload can be read only with that in mind.
     selection: Option<u32>,
+    /// The kinds of the debug variables whose values it has.
+    kinds: Vec<DebugVarKind>,
 }
 
 /// A field of an example, or a leaf of a message.
@@ -74,6 +56,8 @@ impl Example {
     fn new(value: &Value) -> Self {
         let number = |key: &str| value[key].as_u64().unwrap();
         let fields = value["fields"].as_array().unwrap();
+        let kinds = value["context"]["var_types"].as_array().into_iter().flatten();
+        let kind = |kind: &Value| DebugVarKind(kind.as_u64().unwrap().try_into().unwrap());
         Example {
             id: number("cmd_id").try_into().unwrap(),
             incoming: value["direction"] == "incoming",
@@ -82,14 +66,15 @@ impl Example {
             payload: from_hex(&value["payload"]),
             fields: fields.iter().map(Part::of_example).filter(|part| !part.bytes.is_empty()).collect(),
             selection: value["context"]["request_flags"].as_u64().map(|flags| flags.try_into().unwrap()),
+            kinds: kinds.map(kind).collect(),
         }
     }
 
-    fn check(&self) -> Result<(), Fault> {
+    fn check(&self) -> Result<(), Vec<String>> {
         let mut decoder = Decoder::new(Versions::Both);
         let mut chunk = &self.frame[..];
         let Some(Event::Frame { frame, .. }) = decoder.next(&mut chunk) else {
-            return Err(Fault::Wrong(vec!["the frame is not one".into()]));
+            return Err(vec!["the frame is not one".into()]);
         };
         assert_eq!((frame.version, frame.id, frame.payload), (self.version, self.id, &self.payload[..]));
 
@@ -100,7 +85,7 @@ impl Example {
         let encoded = if self.incoming {
             let (message, rest) = IncomingCommand::of_frame(&frame).map_err(|error| broken(&error))?;
             if matches!(message, IncomingCommand::Unknown { .. }) {
-                return Err(Fault::Untyped);
+                return Err(vec!["the command has no type".into()]);
             }
             wrong.extend(surplus(rest));
             match (&message, self.selection) {
@@ -113,6 +98,15 @@ impl Example {
                         wrong.push(format!("encodes with its selection to {payload:02x?}"));
                     }
                 }
+                (IncomingCommand::DebugVars3(view), _) => {
+                    let mut values = view.values(self.kinds.iter().copied());
+                    let mut start = 0;
+                    while let Some(value) = values.next().transpose().map_err(|error| broken(&error))? {
+                        let end = self.payload.len() - values.rest().len();
+                        leaves.push(Part::of_value(value, start..end));
+                        start = end;
+                    }
+                }
                 _ => {
                     message.walk(&mut visitor);
                 }
@@ -121,7 +115,7 @@ impl Example {
         } else {
             let (message, rest) = OutgoingCommand::of_frame(&frame).map_err(|error| broken(&error))?;
             if matches!(message, OutgoingCommand::Unknown { .. }) {
-                return Err(Fault::Untyped);
+                return Err(vec!["the command has no type".into()]);
             }
             wrong.extend(surplus(rest));
             message.walk(&mut visitor);
@@ -134,7 +128,7 @@ impl Example {
         }
         leaves.retain(|leaf| !leaf.bytes.is_empty());
         wrong.extend(self.compare(&leaves));
-        if wrong.is_empty() { Ok(()) } else { Err(Fault::Wrong(wrong)) }
+        if wrong.is_empty() { Ok(()) } else { Err(wrong) }
     }
 
     /// Compares each field with the leaves that share bytes with it.
@@ -187,6 +181,19 @@ impl Part {
         }
     }
 
+    fn of_value(value: DebugVarValue, bytes: Range<usize>) -> Self {
+        let (kind, number) = match value {
+            DebugVarValue::U8(value) => ("u8", value.into()),
+            DebugVarValue::I8(value) => ("i8", value.into()),
+            DebugVarValue::U16(value) => ("u16", value.into()),
+            DebugVarValue::I16(value) => ("i16", value.into()),
+            DebugVarValue::U32(value) => ("u32", value.into()),
+            DebugVarValue::I32(value) => ("i32", value.into()),
+            DebugVarValue::F32(value) => ("f32", value.bits().into()),
+        };
+        Part { name: "var_value".into(), bytes, kind: kind.into(), number: Some(number) }
+    }
+
     fn of_message(leaf: &Leaf<'_>) -> Self {
         Part {
             name: leaf.path.to_string(),
@@ -207,6 +214,8 @@ fn difference(fields: &[Part], leaves: &[Part]) -> Option<String> {
             && fields.last().map(|field| field.bytes.end) == leaves.last().map(|leaf| leaf.bytes.end)
     });
     let alike = match (fields, leaves) {
+        // An empty text is its length byte.
+        ([length], [leaf]) if leaf.kind == "str" && leaf.bytes.len() == 1 => length.number == Some(0),
         ([field], [leaf]) if field.kind != "bytes" => {
             (&field.kind, field.number) == (&leaf.kind, leaf.number)
         }
@@ -232,8 +241,8 @@ fn surplus(rest: &[u8]) -> Option<String> {
     (!rest.is_empty()).then(|| format!("{} bytes are left over", rest.len()))
 }
 
-fn broken(error: &sbgc_proto::DecodeError) -> Fault {
-    Fault::Wrong(vec![format!("does not decode: {error}")])
+fn broken(error: &sbgc_proto::DecodeError) -> Vec<String> {
+    vec![format!("does not decode: {error}")]
 }
 
 fn from_hex(value: &Value) -> Vec<u8> {

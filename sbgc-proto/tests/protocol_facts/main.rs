@@ -20,12 +20,6 @@ use sbgc_proto::commands::{
 use sbgc_proto::reflect::{Describe, MessageInfo, Shape};
 use sbgc_proto::{CommandId, Direction, IncomingCommand, Message, OutgoingCommand};
 
-/// Commands without a type: to be removed one by one.
-#[rustfmt::skip]
-const NOT_TYPED: &[u8] = &[
-    60, 97, 98, 99, 107, 113, 124, 240, 250, 251,
-];
-
 /// Forms that are only other words for the bytes of another one: `(id, direction, form, form here)`.
 const SAME: &[(u8, Direction, &str, &str)] =
     &[(104, Direction::Incoming, "newer", "full"), (105, Direction::Outgoing, "newer", "full")];
@@ -88,6 +82,7 @@ const ON_PURPOSE: &[(&str, &str)] = &[
     ("RC_CHANNELS has, unlike the facts, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
     ("API_VIRT_CH has, unlike the facts, UNDEFINED = -32768, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
     // Names that are left out or stand elsewhere.
+    ("CMD_BOARD_INFO incoming full: BOARD_VER lacks CAN_MCU = 50, EXTENDED = 36, EXTENDED_LONG_GD32 = 27, OEM = 34, PRO = 41, REGULAR = 30, TINY = 31, TINY_REV_C_GD32 = 25", "it is a number first; the names are in `BoardVersion::NAMES`"),
     ("RC_MAP lacks ADC1 = 33, ADC2 = 34, ADC3 = 35, ADC4 = 36, EXT_FC_INPUT_PITCH = 4, EXT_FC_INPUT_ROLL = 3, NOT_ASSIGNED = 0, RC_INPUT_PITCH = 2, RC_INPUT_ROLL = 1, RC_INPUT_YAW = 5", "they are constants of `RcSource`, which is shown as kind and channel"),
     ("CMD_RESET outgoing extended: NO_YES lacks NO = 0, YES = 1", "newer firmware has flags there, the first of which is this"),
     ("PROFILE_FLAGS1 lacks GIMBAL_LOCK_SMOOTH_TRANSITION = 16384", "sources disagree about the bit, which has the other name"),
@@ -141,8 +136,7 @@ fn messages_are_as_the_facts_say() {
     }
     let missing = facts.messages.keys().map(|key| key.id).chain(facts.unpublished.iter().copied());
     let missing: BTreeSet<u8> = missing.filter(|id| !typed(*id)).collect();
-    let not_typed: BTreeSet<u8> = NOT_TYPED.iter().copied().collect();
-    if missing != not_typed {
+    if !missing.is_empty() {
         report.lines.insert(format!("without a type are {missing:?}"), Vec::new());
     }
     report.finish();

@@ -27,10 +27,6 @@ pub(crate) enum Failure {
     /// A capture that is not what it should be.
     #[error(transparent)]
     Capture(#[from] sbgc_host::capture::ReadError),
-
-    /// Anything else.
-    #[error("{0}")]
-    Other(String),
 }
 
 impl Failure {

@@ -32,7 +32,7 @@ pub(crate) fn value_text(leaf: &Leaf<'_>) -> String {
     let label = leaf.label().map(|label| label.to_string());
     match (leaf.raw, label) {
         (Raw::Bytes([]), _) => String::from("-"),
-        (Raw::Bytes(bytes), _) => hex(bytes),
+        (Raw::Bytes(bytes), _) => hex::encode(bytes),
         (Raw::Text(text), _) => format!("{:?}", text_of(text)),
         (Raw::Number(raw), Some(label)) if has_names(leaf) => format!("{label} ({raw})"),
         (Raw::Number(raw), Some(label)) => format!("{raw} ({label})"),
@@ -56,7 +56,7 @@ fn trim_zeros(number: String) -> String {
 
 fn raw_json(leaf: &Leaf<'_>) -> Value {
     match leaf.raw {
-        Raw::Bytes(bytes) => hex(bytes).into(),
+        Raw::Bytes(bytes) => hex::encode(bytes).into(),
         Raw::Text(text) => text_of(text).into(),
         Raw::Number(raw) if is_float(leaf) => {
             // JSON has no NaN; its bits are what came.
@@ -72,9 +72,7 @@ fn value_json(leaf: &Leaf<'_>) -> Value {
     match leaf.raw {
         Raw::Bytes(_) => Value::Null,
         Raw::Text(text) => text_of(text).into(),
-        Raw::Number(raw)
-            if leaf.number.is_some_and(|number| number.multiply == number.divide) && !is_float(leaf) =>
-        {
+        Raw::Number(raw) if leaf.number.is_some_and(|number| !number.is_scaled()) && !is_float(leaf) => {
             raw.into()
         }
         Raw::Number(_) => leaf.value().and_then(Number::from_f64).map_or(Value::Null, Value::Number),
@@ -88,11 +86,6 @@ fn is_float(leaf: &Leaf<'_>) -> bool {
 /// The text before the first zero.
 fn text_of(text: &[u8]) -> String {
     String::from_utf8_lossy(text.split(|byte| *byte == 0).next().unwrap_or_default()).into_owned()
-}
-
-/// Bytes as lower-case hex.
-pub(crate) fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The fields of `message` as members of `object`: path to value or name.

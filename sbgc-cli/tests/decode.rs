@@ -144,3 +144,54 @@ fn what_cannot_be_decoded_is_said() {
     assert_eq!((&unknown[0]["name"], &unknown[0]["form"]), (&Value::Null, &json!("unknown")));
     assert_eq!(unknown[0]["fields"][0]["raw"], "05");
 }
+
+/// Example frames of all commands, made independently of this program.
+const VECTORS: &str = include_str!("../../sbgc-proto/tests/protocol/vectors.jsonl");
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect::<Vec<_>>().concat()
+}
+
+/// The line of a log that tells how to read the payload of `example`.
+fn what_came_before(example: &Value) -> String {
+    let context = &example["context"];
+    if let Some(flags) = context["request_flags"].as_u64() {
+        // A stream of CAN telemetry with these flags.
+        let mut registration = vec![127, 100, 0];
+        registration.extend(u32::try_from(flags).unwrap().to_le_bytes());
+        registration.resize(21, 0);
+        return format!("0 out: [85,21] {}\n", hex(&registration));
+    }
+    let kinds = context["var_types"].as_array().expect("no other context is known");
+    let mut description = vec![u8::try_from(kinds.len()).unwrap()];
+    for kind in kinds {
+        description.extend([0, u8::try_from(kind.as_u64().unwrap()).unwrap(), 0, 0]);
+    }
+    format!("0 in: [253,{}] {}\n", description.len(), hex(&description))
+}
+
+#[test]
+fn every_example_that_needs_its_request_is_read_with_it() {
+    let examples = VECTORS.lines().filter_map(|line| serde_json::from_str::<Value>(line).ok());
+    let mut checked = 0;
+    for example in examples.filter(|example| example.get("context").is_some()) {
+        let payload = example["payload"].as_str().unwrap();
+        let log = format!(
+            "{}0 in: [{},{}] {payload}\n",
+            what_came_before(&example),
+            example["cmd_id"],
+            payload.len() / 2
+        );
+        let decoded = objects(&run_with_input(&["decode", "--from", "log", "--json"], log.as_bytes()));
+        let fields = decoded[1]["fields"].as_array().unwrap();
+        let expected = example["fields"].as_array().unwrap();
+        assert_eq!(fields.len(), expected.len(), "{log}");
+        for (field, expected) in fields.iter().zip(expected) {
+            for key in ["offset", "size", "type", "raw"] {
+                assert_eq!(field[key], expected[key], "{key} of {}: {log}", expected["field"]);
+            }
+        }
+        checked += 1;
+    }
+    assert_eq!(checked, 36);
+}

@@ -129,6 +129,20 @@ macro_rules! commands {
             }
         )*
 
+        #[cfg(all(test, feature = "serde"))]
+        impl $enum<'_> {
+            /// Takes every message through text and through bytes.
+            fn through_serde() {
+                $(
+                    for payload in tests::payloads() {
+                        let Ok((message, _)) = <$ty>::decode_prefix(&payload) else { continue };
+                        tests::through_bytes!(message, $ty);
+                        tests::through_text!(message, $ty $(, $lifetime)?);
+                    }
+                )*
+            }
+        }
+
         #[cfg(feature = "reflect")]
         impl<'a> $enum<'a> {
             /// All messages of this direction, in the order in which their forms are tried.
@@ -173,6 +187,55 @@ macro_rules! commands {
             }
         }
     )* };
+}
+
+#[cfg(all(test, feature = "serde"))]
+mod tests {
+    use super::{IncomingCommand, OutgoingCommand};
+
+    /// Payloads whose bytes are low, high, mixed: known and unknown values, NaNs, texts that are none.
+    pub(super) fn payloads() -> impl Iterator<Item = [u8; 255]> {
+        let mixed = core::array::from_fn(|index| u8::try_from(index * 73 % 256).unwrap_or_default());
+        let ascending = core::array::from_fn(|index| u8::try_from(index % 256).unwrap_or_default());
+        [[0; 255], [1; 255], [0x7F; 255], [0xFF; 255], mixed, ascending].into_iter()
+    }
+
+    macro_rules! through_bytes {
+        ($message:ident, $ty:ident) => {
+            let bytes = postcard::to_stdvec(&$message).unwrap();
+            assert_eq!(postcard::from_bytes::<$ty>(&bytes).unwrap(), $message);
+        };
+    }
+    pub(super) use through_bytes;
+
+    macro_rules! through_text {
+        ($message:ident, $ty:ident) => {
+            let text = serde_json::to_string(&$message).unwrap();
+            let again = serde_json::from_str::<$ty>(&text).unwrap_or_else(|error| panic!("{error}: {text}"));
+            assert_eq!(again, $message, "{text}");
+        };
+        // What borrows bytes cannot be read from text.
+        ($message:ident, $ty:ident, $lifetime:lifetime) => {
+            serde_json::to_string(&$message).unwrap();
+        };
+    }
+    pub(super) use through_text;
+
+    #[test]
+    fn nothing_is_lost_in_serde() {
+        OutgoingCommand::through_serde();
+        IncomingCommand::through_serde();
+    }
+
+    #[test]
+    fn people_read_names_and_physical_values() {
+        let payload = [30, 1, 9, 4, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+        let (info, _) = IncomingCommand::decode(crate::CommandId::BoardInfo, &payload).unwrap();
+        let text = serde_json::to_value(&info).unwrap();
+        let info = &text["BoardInfo"];
+        assert_eq!((&info["board_ver"], &info["firmware_ver"]), (&3.0.into(), &"2.30b5".into()));
+        assert_eq!(info["state_flags1"], "INIT_STEP1_DONE");
+    }
 }
 
 commands! {

@@ -146,6 +146,46 @@ macro_rules! quantity {
 }
 pub(crate) use quantity;
 
+/// Serde for numbers that are shown and read in a way of their own.
+macro_rules! shown {
+    ($name:ident($integer:ident), $expected:literal) => {
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                if serializer.is_human_readable() {
+                    serializer.collect_str(self)
+                } else {
+                    serde::Serialize::serialize(&self.0, serializer)
+                }
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Shown;
+
+                impl serde::de::Visitor<'_> for Shown {
+                    type Value = $name;
+
+                    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                        f.write_str($expected)
+                    }
+
+                    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<$name, E> {
+                        text.parse().map_err(|_| E::invalid_value(serde::de::Unexpected::Str(text), &self))
+                    }
+                }
+
+                if deserializer.is_human_readable() {
+                    deserializer.deserialize_str(Shown)
+                } else {
+                    serde::Deserialize::deserialize(deserializer).map($name)
+                }
+            }
+        }
+    };
+}
+pub(crate) use shown;
+
 /// Fills `block` from hex digits.
 pub(crate) struct HexVisitor<'b>(pub(crate) &'b mut [u8]);
 
@@ -256,5 +296,65 @@ impl Visitor<'_> for FloatVisitor {
     #[allow(clippy::cast_precision_loss, reason = "the field is a float of 32 bits")]
     fn visit_u64<E: Error>(self, value: u64) -> Result<Self::Value, E> {
         Ok((value as f32).into())
+    }
+}
+
+/// Serde for bytes that a message borrows: hex digits where people read.
+///
+/// Hex digits cannot be borrowed as bytes, so such messages are read from formats that keep bytes as they are, and from
+/// text only where there are none.
+pub(crate) mod borrowed_bytes {
+    use core::fmt;
+
+    use serde::de::{Error, Visitor};
+    use serde::{Deserializer, Serializer};
+
+    pub(crate) fn serialize<S: Serializer>(bytes: &&[u8], serializer: S) -> Result<S::Ok, S::Error> {
+        if serializer.is_human_readable() {
+            serializer.collect_str(&crate::wire::Hex(bytes))
+        } else {
+            serializer.serialize_bytes(bytes)
+        }
+    }
+
+    pub(crate) fn deserialize<'de: 'a, 'a, D: Deserializer<'de>>(
+        deserializer: D,
+    ) -> Result<&'a [u8], D::Error> {
+        if deserializer.is_human_readable() {
+            deserializer.deserialize_str(Borrowed)
+        } else {
+            deserializer.deserialize_bytes(Borrowed)
+        }
+    }
+
+    struct Borrowed;
+
+    impl<'de> Visitor<'de> for Borrowed {
+        type Value = &'de [u8];
+
+        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+            f.write_str("bytes that can be borrowed, which hex digits cannot")
+        }
+
+        fn visit_borrowed_bytes<E: Error>(self, bytes: &'de [u8]) -> Result<Self::Value, E> {
+            Ok(bytes)
+        }
+
+        fn visit_borrowed_str<E: Error>(self, text: &'de str) -> Result<Self::Value, E> {
+            match text {
+                "" => Ok(&[]),
+                text => Err(E::invalid_value(serde::de::Unexpected::Str(text), &self)),
+            }
+        }
+    }
+}
+
+impl<'de: 'a, 'a> serde::Deserialize<'de> for crate::wire::Text<'a> {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        if deserializer.is_human_readable() {
+            <&str as serde::Deserialize>::deserialize(deserializer).map(|text| Self(text.as_bytes()))
+        } else {
+            borrowed_bytes::deserialize(deserializer).map(Self)
+        }
     }
 }

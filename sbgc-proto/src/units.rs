@@ -475,10 +475,10 @@ impl<'de> serde::Deserialize<'de> for EncoderAngle {
 /// assert_eq!(FirmwareVersion(2305).to_string(), "2.30b5");
 /// assert_eq!(FirmwareVersion(2730).to_string(), "2.73.0");
 /// assert!(FirmwareVersion(2687) >= FirmwareVersion::new(2, 68, 7));
+/// assert_eq!("2.68b7".parse(), Ok(FirmwareVersion(2687)));
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct FirmwareVersion(pub u16);
 
 impl FirmwareVersion {
@@ -505,6 +505,29 @@ impl fmt::Display for FirmwareVersion {
         }
     }
 }
+
+/// Reads what is shown: `2.30`, `2.30b5`, `2.73.5`.
+impl core::str::FromStr for FirmwareVersion {
+    type Err = OutOfRange;
+
+    fn from_str(text: &str) -> Result<Self, OutOfRange> {
+        let (major, rest) = text.trim().split_once('.').ok_or(OutOfRange)?;
+        let (minor, last) = rest.split_once(['b', '.']).unwrap_or((rest, "0"));
+        let number = |digits: &str| digits.parse::<u16>().map_err(|_| OutOfRange);
+        let (major, minor, last) = (number(major)?, number(minor)?, number(last)?);
+        if minor > 99 || last > 9 {
+            return Err(OutOfRange);
+        }
+        major
+            .checked_mul(1000)
+            .and_then(|major| major.checked_add(minor * 10 + last))
+            .map(Self)
+            .ok_or(OutOfRange)
+    }
+}
+
+#[cfg(feature = "serde")]
+crate::serde_support::shown!(FirmwareVersion(u16), "a version such as 2.68b7 or 2.73.5");
 
 crate::wire::number_type!(FirmwareVersion: u16, read |raw| FirmwareVersion(raw), raw |value| value.0);
 

@@ -181,7 +181,7 @@ impl Explainer<'_> {
                 "name": message.name(),
                 "form": message.form(),
                 "length": payload.len(),
-                "payload": fields::hex(payload),
+                "payload": hex::encode(payload),
                 "fields": leaves,
             }));
         }

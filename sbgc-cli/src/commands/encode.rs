@@ -8,7 +8,6 @@ use serde_json::json;
 
 use crate::args::{Global, Protocol};
 use crate::failure::Failure;
-use crate::fields;
 use crate::output::Output;
 
 #[derive(Args, Debug)]
@@ -70,7 +69,7 @@ impl Encode {
                 "name": info.spec,
                 "form": info.form,
                 "version": version.number(),
-                "frame": fields::hex(frame),
+                "frame": hex::encode(frame),
             }))?;
         } else {
             let pairs: Vec<String> = frame.iter().map(|byte| format!("{byte:02X}")).collect();
@@ -132,9 +131,5 @@ impl Encode {
 /// The bytes, if `value` is a hex dump of whole bytes.
 fn bytes_of(value: &str) -> Option<Vec<u8>> {
     let digits: String = value.chars().filter(|character| !character.is_whitespace()).collect();
-    let (pairs, odd) = digits.as_bytes().as_chunks::<2>();
-    if !odd.is_empty() {
-        return None;
-    }
-    pairs.iter().map(|pair| u8::from_str_radix(str::from_utf8(pair).ok()?, 16).ok()).collect()
+    hex::decode(digits).ok()
 }

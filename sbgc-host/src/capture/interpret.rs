@@ -3,8 +3,8 @@
 use std::collections::VecDeque;
 
 use sbgc_proto::commands::{
-    CanDrvTelemetry, CanDrvTelemetryFlags, RealtimeDataCustom, RealtimeDataCustom2, RealtimeDataCustom2Flags,
-    RealtimeDataCustomFlags, StreamSource,
+    CanDrvTelemetry, CanDrvTelemetryFlags, DebugVarKind, DebugVars3, RealtimeDataCustom, RealtimeDataCustom2,
+    RealtimeDataCustom2Flags, RealtimeDataCustomFlags, StreamSource,
 };
 use sbgc_proto::reflect::{self, MessageInfo, Visitor};
 use sbgc_proto::wire::FromWire;
@@ -24,6 +24,8 @@ pub enum Meaning<'a> {
     RealtimeDataCustom2(RealtimeDataCustom2),
     /// Telemetry of which the registration of the stream told what it is.
     CanDrvTelemetry(CanDrvTelemetry),
+    /// Values of debug variables whose kinds are known from their description.
+    DebugVars3(DebugVars3<'a>, Vec<DebugVarKind>),
 }
 
 /// A message that was read, and the bytes that newer firmware has added to it.
@@ -52,6 +54,7 @@ impl Interpreted<'_> {
             Meaning::RealtimeDataCustom(_) => Some(RealtimeDataCustom::SPEC),
             Meaning::RealtimeDataCustom2(_) => Some(RealtimeDataCustom2::SPEC),
             Meaning::CanDrvTelemetry(_) => Some(CanDrvTelemetry::SPEC),
+            Meaning::DebugVars3(..) => Some(DebugVars3::SPEC),
         }
     }
 
@@ -63,18 +66,21 @@ impl Interpreted<'_> {
             Meaning::RealtimeDataCustom(_) => RealtimeDataCustom::FORM,
             Meaning::RealtimeDataCustom2(_) => RealtimeDataCustom2::FORM,
             Meaning::CanDrvTelemetry(_) => CanDrvTelemetry::FORM,
+            Meaning::DebugVars3(..) => DebugVars3::FORM,
         }
     }
 
     /// Visits the fields of the known part in wire order.
     pub fn walk(&self, visitor: &mut dyn Visitor) {
         match &self.meaning {
-            Meaning::Outgoing(message) => message.walk(visitor),
-            Meaning::Incoming(message) => message.walk(visitor),
-            Meaning::RealtimeDataCustom(message) => reflect::walk(message, visitor),
-            Meaning::RealtimeDataCustom2(message) => reflect::walk(message, visitor),
-            Meaning::CanDrvTelemetry(message) => reflect::walk(message, visitor),
-        };
+            Meaning::Outgoing(message) => drop(message.walk(visitor)),
+            Meaning::Incoming(message) => drop(message.walk(visitor)),
+            Meaning::RealtimeDataCustom(message) => drop(reflect::walk(message, visitor)),
+            Meaning::RealtimeDataCustom2(message) => drop(reflect::walk(message, visitor)),
+            Meaning::CanDrvTelemetry(message) => drop(reflect::walk(message, visitor)),
+            // That the kinds fit was seen when it was read.
+            Meaning::DebugVars3(message, kinds) => drop(message.walk_values(kinds.iter().copied(), visitor)),
+        }
     }
 }
 
@@ -85,6 +91,9 @@ pub struct Interpreter {
     custom: Requests<RealtimeDataCustomFlags>,
     custom2: Requests<RealtimeDataCustom2Flags>,
     telemetry: Requests<CanDrvTelemetryFlags>,
+    variables: Vec<DebugVarKind>,
+    /// The variable with which the description that was asked for last begins.
+    described_from: usize,
 }
 
 impl Interpreter {
@@ -113,6 +122,10 @@ impl Interpreter {
             }
             Direction::Incoming => {
                 let (message, rest) = IncomingCommand::decode(id, payload)?;
+                if let IncomingCommand::DebugVarsInfo3(info) = &message {
+                    self.variables.truncate(self.described_from);
+                    self.variables.extend(info.vars.iter().map(|variable| variable.var_type));
+                }
                 match self.explain(&message, payload)? {
                     Some((meaning, rest)) => Ok(Interpreted { meaning, rest }),
                     None => Ok(Interpreted { meaning: Meaning::Incoming(message), rest }),
@@ -125,6 +138,10 @@ impl Interpreter {
         match message {
             OutgoingCommand::RealtimeDataCustom(request) => self.custom.add(request.flags),
             OutgoingCommand::RealtimeDataCustom2(request) => self.custom2.add(request.flags),
+            OutgoingCommand::DebugVarsInfo3Simple(_) => self.described_from = 0,
+            OutgoingCommand::DebugVarsInfo3Extended(request) => {
+                self.described_from = request.start_idx.into();
+            }
             OutgoingCommand::DataStreamInterval(stream) => match stream.source() {
                 Some(StreamSource::RealtimeDataCustom(flags)) => self.custom.add(flags),
                 Some(StreamSource::RealtimeDataCustom2(flags)) => self.custom2.add(flags),
@@ -138,7 +155,7 @@ impl Interpreter {
     /// The message as its request tells to read it, where one was seen.
     fn explain<'a>(
         &self,
-        message: &IncomingCommand<'_>,
+        message: &IncomingCommand<'a>,
         payload: &'a [u8],
     ) -> Result<Option<(Meaning<'a>, &'a [u8])>, DecodeError> {
         Ok(match message {
@@ -157,6 +174,11 @@ impl Interpreter {
             }
             IncomingCommand::CanDrvTelemetry(_) => {
                 self.telemetry.decode(payload).map(|(data, rest)| (Meaning::CanDrvTelemetry(data), rest))
+            }
+            IncomingCommand::DebugVars3(values) if !self.variables.is_empty() => {
+                let mut read = values.values(self.variables.iter().copied());
+                let whole = read.by_ref().all(|value| value.is_ok()) && read.rest().is_empty();
+                whole.then(|| (Meaning::DebugVars3(*values, self.variables.clone()), &[][..]))
             }
             _ => None,
         })

@@ -1,7 +1,7 @@
 //! `#[message]` and `#[record]`: the declared struct as the other modules see it, and what is written for it.
 
 use proc_macro2::{Group, Ident, TokenStream, TokenTree};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 use syn::{Error, ItemStruct, Lifetime, Result, Type, parse2};
 
 use crate::attributes::{Arguments, FieldArguments, capitals};
@@ -130,6 +130,9 @@ fn read(arguments: Arguments, item: TokenStream) -> Result<(ItemStruct, Structur
             ty: field.ty.clone(),
             arguments: field_arguments,
         };
+        if let Some(lifetime) = &lifetime {
+            field.attrs.extend(borrowed(&declared.ty, lifetime));
+        }
         if reserved && declared.doc.is_empty() {
             field.attrs.push(syn::parse_quote!(#[doc = "Kept as it came; zero in a new message."]));
         }
@@ -141,12 +144,26 @@ fn read(arguments: Arguments, item: TokenStream) -> Result<(ItemStruct, Structur
     item.attrs.extend(documentation::of_message(&arguments));
     item.attrs.push(syn::parse_quote!(#[derive(Clone, Debug, Default, PartialEq, Eq)]));
     item.attrs.push(syn::parse_quote!(#[cfg_attr(feature = "defmt", derive(::defmt::Format))]));
-    item.attrs.push(syn::parse_quote!(#[cfg_attr(feature = "serde", derive(::serde::Serialize))]));
-    if lifetime.is_none() {
-        item.attrs.push(syn::parse_quote!(#[cfg_attr(feature = "serde", derive(::serde::Deserialize))]));
-    }
+    item.attrs.push(syn::parse_quote!(
+        #[cfg_attr(feature = "serde", derive(::serde::Serialize, ::serde::Deserialize))]
+    ));
     let structure = Structure { name: item.ident.clone(), lifetime, arguments, fields, doc, transparent };
     Ok((item, structure))
+}
+
+/// What serde must be told of a field that borrows.
+fn borrowed(ty: &Type, lifetime: &Lifetime) -> Option<syn::Attribute> {
+    let text = ty.to_token_stream().to_string();
+    if !text.contains(&lifetime.to_string()) {
+        return None;
+    }
+    if matches!(ty, Type::Reference(_)) {
+        Some(syn::parse_quote!(
+            #[cfg_attr(feature = "serde", serde(borrow, with = "crate::serde_support::borrowed_bytes"))]
+        ))
+    } else {
+        Some(syn::parse_quote!(#[cfg_attr(feature = "serde", serde(borrow))]))
+    }
 }
 
 fn is_named(ty: &Type, name: &str) -> bool {

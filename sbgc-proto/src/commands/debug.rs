@@ -189,6 +189,39 @@ impl<'a> DebugVars3<'a> {
     }
 }
 
+#[cfg(feature = "reflect")]
+impl DebugVars3<'_> {
+    /// Visits the values as numbers of the kinds that the variables have, each as `var_value[index]`.
+    ///
+    /// # Errors
+    /// When a kind is none that is known, or the payload ends within a value. The values before it were visited.
+    pub fn walk_values(
+        &self,
+        kinds: impl IntoIterator<Item = DebugVarKind>,
+        visitor: &mut dyn crate::reflect::Visitor,
+    ) -> Result<(), DecodeError> {
+        use crate::reflect::{Describe, Place, Shape};
+
+        let Shape::Struct(fields) = Self::SHAPE else { return Ok(()) };
+        let root = Place::ROOT;
+        let list = root.field(fields, 0, 0);
+        let mut offset = 0;
+        for (index, value) in self.values(kinds).enumerate() {
+            let place = list.element(index, offset);
+            offset += match value? {
+                DebugVarValue::U8(value) => value.walk(&place, visitor),
+                DebugVarValue::I8(value) => value.walk(&place, visitor),
+                DebugVarValue::U16(value) => value.walk(&place, visitor),
+                DebugVarValue::I16(value) => value.walk(&place, visitor),
+                DebugVarValue::U32(value) => value.walk(&place, visitor),
+                DebugVarValue::I32(value) => value.walk(&place, visitor),
+                DebugVarValue::F32(value) => value.walk(&place, visitor),
+            };
+        }
+        Ok(())
+    }
+}
+
 /// Values of the debug variables that were asked for.
 ///
 /// The masks come first, as newer sources agree; the vendor's C library passes over them in a way that cannot be right.

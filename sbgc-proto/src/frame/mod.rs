@@ -50,16 +50,6 @@
 //! assert_eq!(bytes, [0x3E, 82, 1, 83, 1, 1]);
 //! # Ok::<(), frame::EncodeFrameError>(())
 //! ```
-#![cfg_attr(
-    not(test),
-    deny(
-        clippy::indexing_slicing,
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::panic,
-        clippy::cast_possible_truncation
-    )
-)]
 
 pub mod checksum;
 mod decoder;

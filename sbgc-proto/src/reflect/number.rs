@@ -178,6 +178,12 @@ impl Number {
         }
     }
 
+    /// Whether the value is another number than the raw one.
+    #[allow(clippy::float_cmp, reason = "they are written side by side and never calculated")]
+    pub fn is_scaled(&self) -> bool {
+        self.multiply != self.divide
+    }
+
     /// The names that `raw` has, if any.
     pub fn label(&self, raw: i64) -> Option<impl fmt::Display + use<>> {
         let named = match self.meaning {

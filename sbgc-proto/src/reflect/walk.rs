@@ -15,10 +15,7 @@ pub trait Describe {
 
 /// Visits the leaves of `message` in wire order and returns how many bytes they take.
 pub fn walk<T: Describe>(message: &T, visitor: &mut dyn Visitor) -> usize {
-    message.walk(
-        &Place { path: Path { parent: None, step: Step::Root }, field: &FieldInfo::UNNAMED, offset: 0 },
-        visitor,
-    )
+    message.walk(&Place::ROOT, visitor)
 }
 
 /// Is shown each leaf.
@@ -71,6 +68,12 @@ pub struct Place<'p> {
     offset: usize,
 }
 
+impl Place<'static> {
+    /// A message as a whole.
+    pub(crate) const ROOT: Self =
+        Place { path: Path { parent: None, step: Step::Root }, field: &FieldInfo::UNNAMED, offset: 0 };
+}
+
 impl Place<'_> {
     /// The field `fields[index]`, `offset` bytes further on.
     pub(crate) fn field(&self, fields: &'static [FieldInfo], index: usize, offset: usize) -> Place<'_> {
@@ -85,7 +88,8 @@ impl Place<'_> {
         Place { path, field: self.field, offset: self.offset + offset }
     }
 
-    fn element(&self, index: usize, offset: usize) -> Place<'_> {
+    /// An element of the same field.
+    pub(crate) fn element(&self, index: usize, offset: usize) -> Place<'_> {
         let path = Path { parent: Some(&self.path), step: Step::Index(index) };
         Place { path, field: self.field, offset: self.offset + offset }
     }

@@ -8,8 +8,8 @@ use core::panic::PanicInfo;
 
 use sbgc_proto::Message;
 use sbgc_proto::commands::{Angles, Control, GetAngles};
-use sbgc_proto::units::ControlRate;
 use sbgc_proto::frame::{Decoder, Event, Version, Versions};
+use sbgc_proto::units::ControlRate;
 
 #[panic_handler]
 fn panic(_: &PanicInfo<'_>) -> ! {
@@ -23,7 +23,8 @@ pub extern "C" fn _start() -> ! {
     let mut transmit = [0; 64];
     loop {
         let received = core::hint::black_box([0_u8; 16]);
-        let length = if cfg!(feature = "three-commands") { turn(&mut decoder, &received, &mut transmit) } else { 0 };
+        let length =
+            if cfg!(feature = "three-commands") { turn(&mut decoder, &received, &mut transmit) } else { 0 };
         core::hint::black_box((length, &transmit));
     }
 }

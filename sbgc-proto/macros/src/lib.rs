@@ -21,6 +21,8 @@ mod documentation;
 mod open_enum;
 mod reflection;
 mod structure;
+#[cfg(test)]
+mod tests;
 
 use proc_macro::TokenStream;
 

@@ -1,7 +1,7 @@
 //! `#[open_enum]`: an enumeration that keeps what it does not know.
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
+use quote::{format_ident, quote};
 use syn::{Error, Expr, ItemEnum, Result, parse_quote, parse2};
 
 use crate::attributes::{FieldArguments, capitals};
@@ -30,6 +30,7 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
     let labels = variants.iter().map(|Variant { value, spec, doc, .. }| {
         quote!(crate::wire::Label { value: #value, name: #spec, doc: #doc })
     });
+    let tests = format_ident!("every_{}", capitals(&name.to_string()).to_lowercase());
     Ok(quote! {
         #item
 
@@ -90,6 +91,21 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
 
             fn from_raw_number(raw: i64) -> ::core::option::Option<Self> {
                 #integer::try_from(raw).ok().map(Self::from_raw)
+            }
+        }
+
+        #[cfg(test)]
+        mod #tests {
+            use super::#name;
+
+            #[test]
+            fn value_is_kept() {
+                for raw in #integer::MIN..=#integer::MAX {
+                    let value = #name::from(raw);
+                    assert_eq!(#integer::from(value), raw);
+                    let is_known = #name::LABELS.iter().any(|label| label.value == i64::from(raw));
+                    assert_eq!(is_known, value != #name::Unknown(raw), "{value:?}");
+                }
             }
         }
     })

@@ -141,6 +141,10 @@ pub(crate) struct Field {
     #[serde(default)]
     pub(crate) optional: bool,
     pub(crate) scale: Option<f64>,
+    #[serde(default)]
+    pub(crate) unit: String,
+    pub(crate) min: Option<f64>,
+    pub(crate) max: Option<f64>,
     #[serde(rename = "enum")]
     pub(crate) values: Option<String>,
     pub(crate) flags: Option<String>,

@@ -1,6 +1,6 @@
 //! Messages as sequences of leaves, and where two sequences differ.
 
-use sbgc_proto::reflect::{FieldInfo, Number, Presence, Shape};
+use sbgc_proto::reflect::{FieldInfo, Meaning, Number, Presence, Shape};
 
 use crate::facts::{Count, Facts, Field, Message};
 use crate::labels;
@@ -89,7 +89,24 @@ pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<S
             let when = if fact.always { "always" } else { "sometimes" };
             differences.push(format!("{} should be there {when}", field.name));
         }
-        if let Some(number) = &field.about {
+        if let Some(About { number, unit, range }) = &field.about {
+            // Where all values have names, these are compared.
+            if !matches!(number.meaning, Meaning::Enum(_) | Meaning::Flags(_) | Meaning::Bits(_)) {
+                let limits = number.scalar.limits();
+                let should = (fact.about.min.unwrap_or(limits.0), fact.about.max.unwrap_or(limits.1));
+                let (least, most) = range.unwrap_or(limits);
+                if (least, most) != should {
+                    let (from, to) = should;
+                    let what = format!("goes from {least} to {most}, should from {from} to {to}");
+                    differences.push(format!("{} {what}", field.name));
+                }
+            }
+            // The facts have no word for a signal's share of its range.
+            let unit = unit.strip_prefix("of full scale").unwrap_or(unit);
+            if unit != fact.about.unit {
+                let should = &fact.about.unit;
+                differences.push(format!("{} has the unit {unit:?}, should have {should:?}", field.name));
+            }
             let scale = fact.about.scale.unwrap_or(1.0);
             let declared = number.multiply / number.divide;
             if (declared - scale).abs() > scale.abs() * 1e-6 {
@@ -164,18 +181,47 @@ fn what(kind: &str) -> What {
     }
 }
 
-type Declared = Token<Option<Number>>;
+/// A number with what its field says about it.
+struct About {
+    number: Number,
+    unit: &'static str,
+    range: Option<(f64, f64)>,
+}
+
+impl About {
+    fn new(number: Number, field: &FieldInfo) -> Self {
+        let unit = if number.unit.is_empty() { field.unit } else { number.unit };
+        About { number, unit, range: field.range }
+    }
+}
+
+/// The whole message.
+const UNNAMED: FieldInfo = FieldInfo {
+    name: "",
+    spec: "",
+    doc: "",
+    unit: "",
+    range: None,
+    since: "",
+    presence: Presence::Always,
+    reserved: false,
+    shape: Shape::Struct(&[]),
+};
+
+type Declared = Token<Option<About>>;
 
 fn of_message(shape: &Shape) -> Vec<Declared> {
     let mut tokens = Vec::new();
-    of_shape(shape, "", true, &mut tokens);
+    of_shape(shape, &FieldInfo { shape: *shape, ..UNNAMED }, true, &mut tokens);
     tokens
 }
 
-fn of_shape(shape: &Shape, name: &str, always: bool, tokens: &mut Vec<Declared>) {
-    let token = |what, about| Token { name: name.to_owned(), what, always, about };
+fn of_shape(shape: &Shape, field: &FieldInfo, always: bool, tokens: &mut Vec<Declared>) {
+    let token = |what, about| Token { name: field.spec.to_owned(), what, always, about };
     match shape {
-        Shape::Number(number) => tokens.push(token(What::Number(number.scalar.name()), Some(*number))),
+        Shape::Number(number) => {
+            tokens.push(token(What::Number(number.scalar.name()), Some(About::new(*number, field))));
+        }
         Shape::Bytes { least, most } if least == most => tokens.push(token(What::Bytes(*most), None)),
         Shape::Bytes { .. } => tokens.push(token(What::Rest, None)),
         // A text behind its length byte may be as long as that can say.
@@ -183,19 +229,19 @@ fn of_shape(shape: &Shape, name: &str, always: bool, tokens: &mut Vec<Declared>)
         Shape::Text { most } => tokens.push(token(What::Bytes(*most), None)),
         Shape::Struct(fields) => fields.iter().for_each(|field| of_field(field, always, tokens)),
         Shape::Group { names, element } => {
-            names.iter().for_each(|_| of_shape(element, name, always, tokens));
+            names.iter().for_each(|_| of_shape(element, field, always, tokens));
         }
         Shape::Array { count, element } => {
-            (0..*count).for_each(|_| of_shape(element, name, always, tokens));
+            (0..*count).for_each(|_| of_shape(element, field, always, tokens));
         }
         Shape::List { element, .. } => {
             tokens.push(token(What::ListStart, None));
-            of_shape(element, name, always, tokens);
+            of_shape(element, field, always, tokens);
             tokens.push(token(What::ListEnd, None));
         }
     }
 }
 
 fn of_field(field: &FieldInfo, always: bool, tokens: &mut Vec<Declared>) {
-    of_shape(&field.shape, field.spec, always && field.presence == Presence::Always, tokens);
+    of_shape(&field.shape, field, always && field.presence == Presence::Always, tokens);
 }

@@ -1,5 +1,5 @@
 //! Compares every declared message with the facts about the protocol in `protocol/*.toml`, in both directions: no
-//! message, field, value or flag is missing here, and none is here that the facts do not have.
+//! message, field, unit, range, value or flag is missing here, and none is here that the facts do not have.
 //!
 //! All differences are shown at once. What differs on purpose is listed in the constants, each with its reason; an
 //! entry that has become needless is a difference too.
@@ -59,6 +59,29 @@ const ON_PURPOSE: &[(&str, &str)] = &[
     ("LUT_SRC_VALUE has the scale 0.00006103515625, should have 1", "16384 is full scale"),
     ("TRIGGER_RC_DATA has the scale 0.00006103515625, should have 1", "16384 is full scale"),
     ("RC_VAL has the scale 0.00006103515625, should have 1", "16384 is full scale"),
+    // Units that the facts give in words.
+    ("ANGLE has the unit \"\", should have \"deg\"", "the step of the long angle is not published"),
+    ("CFG has the unit \"ms\", should have \"\"", "a time between packets"),
+    ("FOLLOW_EXPO_RATE has the unit \"%\", should have \"\"", "0 to 100"),
+    ("CMD_READ_PARAMS_3 incoming full: RC_EXPO_RATE has the unit \"%\", should have \"\"", "0 to 100"),
+    ("CMD_WRITE_PARAMS_3 outgoing full: RC_EXPO_RATE has the unit \"%\", should have \"\"", "0 to 100"),
+    ("FOLLOW_ROLL_MIX_START has the unit \"deg\", should have \"\"", "an angle"),
+    ("FOLLOW_ROLL_MIX_RANGE has the unit \"deg\", should have \"\"", "an angle"),
+    ("FRAME_CAM_ANGLE_20 has the unit \"deg\", should have \"\"", "an angle"),
+    ("CMD_WRITE_FILE outgoing delete: FILE_SIZE has the unit \"byte\", should have \"\"", "as in the other form"),
+    ("CMD_WRITE_FILE outgoing delete: PAGE_OFFSET has the unit \"byte\", should have \"\"", "as in the other form"),
+    // Ranges.
+    ("API_VIRT_CH goes from -32768 to 32767, should from -500 to 500", "slightly beyond is allowed, and there are names"),
+    ("API_VIRT_CH goes from -32768 to 32767, should from -16384 to 16384", "slightly beyond is allowed, and there are names"),
+    ("NOTE_FREQ_HZ goes from 554 to 65535, should from 554 to 21000", "beyond are pauses"),
+    ("NOTE_LENGTH goes from 0 to 255, should from 1 to 255", "0 is as good with standard sounds"),
+    ("SIZE goes from 64 to 192, should from 0 to 65535", "a multiple of 64 that fits a payload"),
+    ("DATA_LEN goes from 1 to 255, should from 0 to 255", "none is nothing to ask for"),
+    ("IMU_ANGLES_RAD goes from -inf to inf, should from -3.14159265 to 3.14159265", "π itself is slightly beyond as a float"),
+    ("CMD_RUN_SCRIPT outgoing full: SLOT goes from 0 to 9, should from 0 to 4", "newer firmware has ten slots"),
+    ("DEBUG_VARS_NUM goes from 0 to 255, should from 1 to 255", "the list may be empty"),
+    ("DEVICE_NUM goes from 0 to 255, should from 0 to 19", "the length of the list limits it"),
+    ("NUM_PARAMS goes from 0 to 255, should from 1 to 40", "the length of the list limits it"),
     // Names for what the facts give in words.
     ("VAR_ID has, unlike the facts, MULTIPLIER = 128", "given in words"),
     ("DEBUG_VAR_TYPE has, unlike the facts, NONE = 0, VAR_FLAG_PITCH = 32, VAR_FLAG_ROLL = 16, VAR_FLAG_YAW = 48", "axes are a part, not flags"),

@@ -1,0 +1,269 @@
+//! Physical quantities as types: the raw number of the wire with its unit and scale.
+//!
+//! Each holds the raw number, which stays reachable as field `0`, and converts to and from the physical value. From a
+//! value, `from_…` goes to the nearest raw number and stops at the ends of the wire's range; `try_from_…` refuses what
+//! is beyond them, and what is not a number.
+//!
+//! ```
+//! use sbgc_proto::units::Angle;
+//!
+//! assert_eq!(Angle::from_degrees(90.0), Angle(4096));
+//! assert_eq!(Angle(-2048).degrees(), -45.0);
+//! assert!(Angle::try_from_degrees(1000.0).is_err());
+//! ```
+
+mod encoder;
+mod firmware;
+mod quantity;
+#[cfg(test)]
+mod tests;
+
+pub use encoder::EncoderAngle;
+pub use firmware::FirmwareVersion;
+
+use quantity::quantities;
+
+quantities! {
+    /// An angle in steps of 14 bits a turn.
+    Angle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384;
+
+    /// An angle over many turns, in steps of 14 bits a turn.
+    LongAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 16384;
+
+    /// An angle in steps of 20 bits a turn.
+    FineAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 1_048_576;
+
+    /// A distance to a limit, in steps of 14 bits a turn.
+    LimitDistance(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
+        /// There is no limit, or it is not known.
+        UNKNOWN = 32767;
+    };
+
+    /// The period of a curve of correction over a turn of the motor.
+    CorrectionPeriod(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1, special {
+        /// The board finds it.
+        AUTO = 0;
+    };
+
+    /// The heading of the frame against North.
+    FrameHeading(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
+        /// Stop to use the heading as a reference.
+        STOP_REFERENCE = 32767;
+    };
+
+    /// A rate of turn as control commands have it: 0.1220740379 degrees a second.
+    ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 4000 / 32767;
+
+    /// A limit of the rate of turn in the steps of control commands.
+    ControlRateLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 4000 / 32767;
+
+    /// A rate of turn as slow control commands have it: thousandths of a degree a second in 16 bits.
+    FineControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 1 / 1000;
+
+    /// A rate of turn as sensors have it: 0.06103701895 degrees a second.
+    SensorRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 2000 / 32767;
+
+    /// A rate of turn in thousandths of a degree a second.
+    FineRate(i32): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f64,
+        "deg/s", 1 / 1000;
+
+    /// A rate of turn in millionths of a radian a second.
+    MicroRate(i32): radians_per_second / from_radians_per_second / try_from_radians_per_second -> f64,
+        "rad/s", 1 / 1_000_000;
+
+    /// The greatest speed of an auxiliary motor.
+    MotorSpeedLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
+        "deg/s", 2 / 1;
+
+    /// The greatest acceleration of an auxiliary motor.
+    MotorAccelerationLimit(u16): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2
+        -> f32, "deg/s^2", 2 / 1;
+
+    /// An acceleration as sensors have it.
+    Acceleration(i16): g / from_g / try_from_g -> f32, "g", 1 / 512;
+
+    /// The greatest acceleration there was, in coarse steps.
+    PeakAcceleration(u8): g / from_g / try_from_g -> f32, "g", 1 / 16;
+
+    /// A limit of angular acceleration in coarse steps; 0 is no limit.
+    AccelerationLimit(u8): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2 -> f32,
+        "deg/s^2", 5 / 1;
+
+    /// A voltage.
+    Voltage(u16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
+
+    /// A voltage that switches something; negative switches that off.
+    VoltageThreshold(i16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
+
+    /// An error of attitude.
+    AttitudeError(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
+
+    /// How much the camera shakes.
+    StabilizationError(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1000;
+
+    /// The time between the messages of a data stream. 0 ends it, and the shortest is a cycle of the firmware, 0.8 ms.
+    StreamInterval(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
+        /// Ends the stream.
+        UNREGISTER = 0;
+        /// In every cycle of the firmware, which is 0.8 ms.
+        EVERY_CYCLE = 1;
+    };
+
+    /// A rate of repetition.
+    ServoRate(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
+
+    /// How long a calibration takes its samples.
+    CalibrationTime(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
+        /// As long as the board thinks fit, about 4 s for the gyroscope.
+        DEFAULT = 0;
+    };
+
+    /// The lowest frequency of a test.
+    TestFrequencyFrom(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 10;
+
+    /// The highest frequency of a test.
+    TestFrequencyTo(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 2 / 1;
+
+    /// An angle to test at, in steps of 3 degrees.
+    TestAngle(i8): degrees / from_degrees / try_from_degrees -> f32, "deg", 3 / 1;
+
+    /// A margin of gain.
+    GainMargin(u8): decibels / from_decibels / try_from_decibels -> f32, "dB", 1 / 10;
+
+    /// A jerk slope: the time in which an acceleration builds up. 0 leaves it as it is, 1 switches it off.
+    JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1;
+
+    /// A dead band in units of the gyroscope.
+    GyroDeadband(u8): units / from_units / try_from_units -> f32, "gyro units", 1 / 10;
+
+    /// The zero of a gyroscope, in units of the gyroscope.
+    GyroZero(i16): units / from_units / try_from_units -> f32, "gyro units", 1 / 1000;
+
+    /// The signal of a radio control channel, -16384 to 16384.
+    RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {
+        /// There is no signal.
+        UNDEFINED = -32768;
+        /// There is no signal, as older firmware has it in some messages.
+        UNDEFINED_OLD = -32767;
+    };
+
+    /// The signal of a radio control channel in coarse steps, -500 to 500 and slightly beyond.
+    CoarseRcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 500, special {
+        /// There is no signal.
+        UNDEFINED = -10000;
+    };
+
+    /// The pulse time of a servo output; all below zero free the pin.
+    ServoTime(i16): microseconds / from_microseconds / try_from_microseconds -> f32, "us", 1 / 1, special {
+        /// The pin floats.
+        FLOATING = -1;
+        /// The pin is held low.
+        LOW = 0;
+    };
+
+    /// A time in samples of the sound generator.
+    SoundTime(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 8 / 1;
+
+    /// The frequency of a note; beyond 21000 it is a pause.
+    NoteFrequency(u16): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 1, special {
+        /// Restarts the envelope.
+        RESTART = 21000;
+    };
+
+    /// The version of the board, 3.0 for raw 30. Some boards have a name of their own.
+    BoardVersion(u8): number / from_number / try_from_number -> f32, "", 1 / 10, names {
+        /// Tiny rev. C with the GD32 processor.
+        TINY_REV_C_GD32 = 25;
+        /// Extended, long, with the GD32 processor.
+        EXTENDED_LONG_GD32 = 27;
+        /// Regular.
+        REGULAR = 30;
+        /// Tiny.
+        TINY = 31;
+        /// OEM.
+        OEM = 34;
+        /// Extended.
+        EXTENDED = 36;
+        /// Pro.
+        PRO = 41;
+        /// The controller of the CAN family.
+        CAN_MCU = 50;
+    };
+
+    /// The version of a module on the CAN bus, 1.23 for raw 123.
+    ModuleVersion(u16): number / from_number / try_from_number -> f32, "", 1 / 100;
+
+    /// A size of flash memory.
+    FlashSize(u8): kibibytes / from_kibibytes / try_from_kibibytes -> f32, "KiB", 32 / 1;
+
+    /// A place in a file, in pages of 64 bytes.
+    PageOffset(u16): bytes / from_bytes / try_from_bytes -> f32, "byte", 64 / 1;
+
+    /// The center of a notch filter.
+    NotchFrequency(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 2 / 1;
+
+    /// The cut-off of a filter for slow signals.
+    SlowFilterFrequency(u16): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 100;
+
+    /// The cut-off of a filter for fast signals.
+    FastFilterFrequency(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
+
+    /// A short time.
+    ShortTime(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 10 / 1;
+
+    /// An angle in coarse steps.
+    CoarseAngle(i8): degrees / from_degrees / try_from_degrees -> f32, "deg", 3 / 1;
+
+    /// A gearing as a number of 8 bits before and 8 bits after the point.
+    Gearing(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 256;
+
+    /// A ratio of gears in thousandths.
+    GearRatio(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 1000;
+
+    /// The strength of the link between a motor's rotor and stator.
+    MagneticLink(u16): strength / from_strength / try_from_strength -> f32, "", 1 / 100;
+
+    /// A correction of how a sensor is mounted.
+    CorrectionAngle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 100;
+
+    /// A part of a time.
+    TimeShare(u8): percent / from_percent / try_from_percent -> f32, "%", 1 / 5;
+
+    /// How much a moment of inertia depends on the angle.
+    Ellipticity(u8): factor / from_factor / try_from_factor -> f32, "", 1 / 20;
+
+    /// A level of a control signal.
+    SignalThreshold(i8): level / from_level / try_from_level -> f32, "", 1 / 10;
+
+    /// A time in coarse steps.
+    Delay(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 100 / 1;
+
+    /// The resistance of one phase of a motor.
+    PhaseResistance(u8): milliohms / from_milliohms / try_from_milliohms -> f32, "mOhm", 100 / 1;
+
+    /// A limit of electric current.
+    CurrentLimit(u16): milliamperes / from_milliamperes / try_from_milliamperes -> f32, "mA", 10 / 1;
+
+    /// The current at which a protection trips.
+    TripCurrent(u8): amperes / from_amperes / try_from_amperes -> f32, "A", 1 / 2;
+
+    /// The width of a soft limit.
+    LimitWidth(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
+
+    /// The gain of a resonance.
+    ResonanceGain(u8): decibels / from_decibels / try_from_decibels -> f32, "dB", 1 / 5;
+
+    /// The resistance of a shunt.
+    ShuntResistance(u16): ohms / from_ohms / try_from_ohms -> f32, "Ohm", 1 / 100;
+}
+
+impl RcSignal {
+    /// The fraction of full scale, -1 to 1; `None` where there is no signal.
+    pub fn signal(self) -> Option<f32> {
+        (self != Self::UNDEFINED && self != Self::UNDEFINED_OLD).then(|| self.fraction())
+    }
+}

@@ -186,6 +186,54 @@ macro_rules! shown {
 }
 pub(crate) use shown;
 
+/// Serde for numbers that are made of several: the values of the parts by name.
+macro_rules! parts {
+    ($name:ident($integer:ident)) => {
+        impl serde::Serialize for $name {
+            fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+                let label = <$name as crate::reflect::NumberType>::NUMBER.label(i64::from(self.0));
+                match label.filter(|_| serializer.is_human_readable()) {
+                    Some(label) => serializer.collect_str(&label),
+                    None => serde::Serialize::serialize(&self.0, serializer),
+                }
+            }
+        }
+
+        impl<'de> serde::Deserialize<'de> for $name {
+            fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Parts;
+
+                impl serde::de::Visitor<'_> for Parts {
+                    type Value = $name;
+
+                    fn expecting(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                        f.write_str("NAME=VALUE for each part, the name of a value, or a raw number")
+                    }
+
+                    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<$name, E> {
+                        let number = <$name as crate::reflect::NumberType>::NUMBER;
+                        let raw = number.raw_of_name(text).and_then(|raw| raw.try_into().ok());
+                        raw.map($name)
+                            .ok_or_else(|| E::invalid_value(serde::de::Unexpected::Str(text), &self))
+                    }
+
+                    fn visit_u64<E: serde::de::Error>(self, raw: u64) -> Result<$name, E> {
+                        let fits = raw.try_into().map($name);
+                        fits.map_err(|_| E::invalid_value(serde::de::Unexpected::Unsigned(raw), &self))
+                    }
+                }
+
+                if deserializer.is_human_readable() {
+                    deserializer.deserialize_any(Parts)
+                } else {
+                    serde::Deserialize::deserialize(deserializer).map($name)
+                }
+            }
+        }
+    };
+}
+pub(crate) use parts;
+
 /// Fills `block` from hex digits.
 pub(crate) struct HexVisitor<'b>(pub(crate) &'b mut [u8]);
 

@@ -68,29 +68,31 @@ bit_fields! {
         /// Kind of input.
         5..=7 => kind / with_kind "RC_MAP_TYPE": RcSourceKind,
     }
+    names {
+        /// From nowhere.
+        NOT_ASSIGNED = 0;
+        /// PWM input of the ROLL channel.
+        RC_INPUT_ROLL = 1;
+        /// PWM input of the PITCH channel.
+        RC_INPUT_PITCH = 2;
+        /// PWM input for the flight controller's ROLL.
+        EXT_FC_INPUT_ROLL = 3;
+        /// PWM input for the flight controller's PITCH.
+        EXT_FC_INPUT_PITCH = 4;
+        /// PWM input of the YAW channel.
+        RC_INPUT_YAW = 5;
+        /// Analog input 1.
+        ADC1 = 33;
+        /// Analog input 2.
+        ADC2 = 34;
+        /// Analog input 3.
+        ADC3 = 35;
+        /// Analog input 4, on some boards of newer firmware.
+        ADC4 = 36;
+    }
 }
 
 impl RcSource {
-    /// From nowhere.
-    pub const NOT_ASSIGNED: Self = Self(0);
-    /// PWM input of the ROLL channel.
-    pub const RC_INPUT_ROLL: Self = Self(1);
-    /// PWM input of the PITCH channel.
-    pub const RC_INPUT_PITCH: Self = Self(2);
-    /// PWM input for the flight controller's ROLL.
-    pub const EXT_FC_INPUT_ROLL: Self = Self(3);
-    /// PWM input for the flight controller's PITCH.
-    pub const EXT_FC_INPUT_PITCH: Self = Self(4);
-    /// PWM input of the YAW channel.
-    pub const RC_INPUT_YAW: Self = Self(5);
-    /// Analog input 1.
-    pub const ADC1: Self = Self(33);
-    /// Analog input 2.
-    pub const ADC2: Self = Self(34);
-    /// Analog input 3.
-    pub const ADC3: Self = Self(35);
-    /// Analog input 4, on some boards of newer firmware.
-    pub const ADC4: Self = Self(36);
     /// Channels 1 to 31 of a serial receiver (s-bus, Spektrum, Sum-PPM).
     pub const RC_SERIAL_CH: Self = Self(64);
     /// Virtual channels 1 to 31, set by `CMD_API_VIRT_CH_CONTROL`.

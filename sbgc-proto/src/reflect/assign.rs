@@ -195,7 +195,7 @@ impl fmt::Display for AssignError {
                         f.write_str(" nor one of ")?;
                         list(f, labels.iter().map(|label| label.name))
                     }
-                    Meaning::Bits(parts) => {
+                    Meaning::Bits(parts, _) => {
                         f.write_str(", nor NAME=VALUE for some of ")?;
                         list(f, parts.iter().map(|part| part.name))
                     }

@@ -69,8 +69,8 @@ pub enum Meaning {
     Enum(&'static [Label]),
     /// Each bit has a name.
     Flags(&'static [Label]),
-    /// Groups of bits are numbers of their own.
-    Bits(&'static [BitPart]),
+    /// Groups of bits are numbers of their own, and some values have names as a whole.
+    Bits(&'static [BitPart], &'static [Label]),
     /// A quantity of which a few values are names.
     Special(&'static [Label]),
     /// Shown in a way of its own.
@@ -190,7 +190,7 @@ impl Number {
             Meaning::Plain => false,
             Meaning::Enum(labels) | Meaning::Special(labels) => labels.iter().any(|label| label.value == raw),
             Meaning::Flags(_) => raw != 0,
-            Meaning::Bits(_) | Meaning::Shown(_) => true,
+            Meaning::Bits(..) | Meaning::Shown(_) => true,
         };
         named.then_some(Names { meaning: self.meaning, raw })
     }
@@ -257,7 +257,7 @@ impl Number {
         }
     }
 
-    fn raw_of_name(&self, text: &str) -> Option<i64> {
+    pub(crate) fn raw_of_name(&self, text: &str) -> Option<i64> {
         match self.meaning {
             Meaning::Enum(labels) | Meaning::Special(labels) => raw_of_label(labels, text),
             Meaning::Flags(labels) => {
@@ -266,16 +266,7 @@ impl Number {
                     Some(raw | raw_of_label(labels, name).or_else(|| hexadecimal(name))?)
                 })
             }
-            Meaning::Bits(parts) => {
-                text.split(['|', ' ', ',']).filter(|part| !part.is_empty()).try_fold(0, |raw, assignment| {
-                    let (name, value) = assignment.split_once('=')?;
-                    let part = parts.iter().find(|part| part.name.eq_ignore_ascii_case(name.trim()))?;
-                    let value = raw_of_label(part.labels, value.trim())
-                        .or_else(|| value.trim().parse().ok())
-                        .filter(|value| (0..=part.mask()).contains(value))?;
-                    Some((raw & !(part.mask() << part.low)) | (value << part.low))
-                })
-            }
+            Meaning::Bits(parts, names) => raw_of_label(names, text).or_else(|| raw_of_parts(parts, text)),
             Meaning::Plain | Meaning::Shown(_) => None,
         }
     }
@@ -283,6 +274,20 @@ impl Number {
 
 fn raw_of_label(labels: &[Label], name: &str) -> Option<i64> {
     labels.iter().find(|label| label.name.eq_ignore_ascii_case(name)).map(|label| label.value)
+}
+
+/// The number for `NAME=VALUE` of some parts, and hex for bits that no part takes; what is not named is zero.
+fn raw_of_parts(parts: &[BitPart], text: &str) -> Option<i64> {
+    let mut words = text.split(['|', ' ', ',']).filter(|word| !word.is_empty()).peekable();
+    words.peek()?;
+    words.try_fold(0, |raw, word| {
+        let Some((name, value)) = word.split_once('=') else { return Some(raw | hexadecimal(word)?) };
+        let part = parts.iter().find(|part| part.name.eq_ignore_ascii_case(name))?;
+        let value = raw_of_label(part.labels, value)
+            .or_else(|| value.parse().ok())
+            .filter(|value| (0..=part.mask()).contains(value))?;
+        Some((raw & !(part.mask() << part.low)) | (value << part.low))
+    })
 }
 
 fn hexadecimal(text: &str) -> Option<i64> {
@@ -304,17 +309,28 @@ impl fmt::Display for Names {
                 f.write_str(label.map_or("", |label| label.name))
             }
             Meaning::Flags(labels) => flag_names(labels, self.raw, f),
-            Meaning::Bits(parts) => parts.iter().enumerate().try_for_each(|(index, part)| {
-                let separator = if index == 0 { "" } else { " " };
-                let value = (self.raw >> part.low) & part.mask();
-                match part.labels.iter().find(|label| label.value == value) {
-                    Some(label) => write!(f, "{separator}{}={}", part.name, label.name),
-                    None => write!(f, "{separator}{}={value}", part.name),
-                }
-            }),
+            Meaning::Bits(parts, names) => match names.iter().find(|label| label.value == self.raw) {
+                Some(label) => f.write_str(label.name),
+                None => part_values(parts, self.raw, f),
+            },
             Meaning::Shown(show) => show(self.raw, f),
         }
     }
+}
+
+fn part_values(parts: &[BitPart], raw: i64, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    let mut left = raw;
+    let mut separator = "";
+    for part in parts {
+        let value = (raw >> part.low) & part.mask();
+        match part.labels.iter().find(|label| label.value == value) {
+            Some(label) => write!(f, "{separator}{}={}", part.name, label.name)?,
+            None => write!(f, "{separator}{}={value}", part.name)?,
+        }
+        left &= !(part.mask() << part.low);
+        separator = " ";
+    }
+    if left == 0 { Ok(()) } else { write!(f, "{separator}{left:#x}") }
 }
 
 fn flag_names(labels: &[Label], raw: i64, f: &mut fmt::Formatter<'_>) -> fmt::Result {

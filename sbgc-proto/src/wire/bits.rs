@@ -133,6 +133,11 @@ pub(crate) use first_doc;
 ///         /// What it means.
 ///         5..=7 => kind / with_kind "TYPE": Kind,
 ///     }
+///     // If some values have names as a whole.
+///     names {
+///         /// What it means.
+///         NOTHING = 0;
+///     }
 /// }
 /// ```
 ///
@@ -144,14 +149,21 @@ macro_rules! bit_fields {
         pub struct $name:ident: $integer:ident {
             $($(#[doc = $doc:literal])+ $low:literal..=$high:literal => $part:ident / $with:ident $spec:literal: $ty:ty,)*
         }
+        $(names { $($(#[doc = $name_doc:literal])+ $named:ident = $value:literal;)* })?
     ) => {
         $(#[$attribute])*
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-        #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
         pub struct $name(pub $integer);
 
         impl $name {
+            $($(
+                $(#[doc = $name_doc])+
+                #[doc = ""]
+                #[doc = concat!("Spec: `", stringify!($named), "` = ", $value, ".")]
+                pub const $named: Self = Self($value);
+            )*)?
+
             $(
                 $(#[doc = $doc])+
                 #[doc = ""]
@@ -176,6 +188,9 @@ macro_rules! bit_fields {
 
         $crate::wire::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
 
+        #[cfg(feature = "serde")]
+        $crate::serde_support::parts!($name($integer));
+
         #[cfg(feature = "reflect")]
         impl $crate::reflect::NumberType for $name {
             const NUMBER: $crate::reflect::Number = $crate::reflect::Number {
@@ -187,7 +202,11 @@ macro_rules! bit_fields {
                         labels: <$ty as $crate::wire::BitLabels>::LABELS,
                         doc: $crate::wire::first_doc!($($doc)+),
                     }),*
-                ]),
+                ], &[$($($crate::wire::Label {
+                    value: $value,
+                    name: stringify!($named),
+                    doc: $crate::wire::first_doc!($($name_doc)+),
+                }),*)?]),
                 ..$crate::reflect::Number::plain($crate::reflect::Scalar::$integer)
             };
 

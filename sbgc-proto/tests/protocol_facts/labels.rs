@@ -49,12 +49,13 @@ fn groups(number: &Number) -> Vec<(Labels, u32)> {
     match number.meaning {
         Meaning::Plain | Meaning::Shown(_) => Vec::new(),
         Meaning::Enum(names) | Meaning::Flags(names) | Meaning::Special(names) => vec![(labels(names), 0)],
-        Meaning::Bits(parts) => parts
+        Meaning::Bits(parts, names) => parts
             .iter()
             .map(|part| match (part.width, part.labels) {
                 (1, []) => (Labels::from([(part.name.to_owned(), 1)]), part.low),
                 (_, names) => (labels(names), part.low),
             })
+            .chain([(labels(names), 0)])
             .collect(),
     }
 }

@@ -91,7 +91,7 @@ pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<S
         }
         if let Some(About { number, unit, range }) = &field.about {
             // Where all values have names, these are compared.
-            if !matches!(number.meaning, Meaning::Enum(_) | Meaning::Flags(_) | Meaning::Bits(_)) {
+            if !matches!(number.meaning, Meaning::Enum(_) | Meaning::Flags(_) | Meaning::Bits(..)) {
                 let limits = number.scalar.limits();
                 let should = (fact.about.min.unwrap_or(limits.0), fact.about.max.unwrap_or(limits.1));
                 let (least, most) = range.unwrap_or(limits);

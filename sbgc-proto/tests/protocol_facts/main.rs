@@ -106,7 +106,7 @@ const ON_PURPOSE: &[(&str, &str)] = &[
     ("RC_CHANNELS has, unlike the facts, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
     ("API_VIRT_CH has, unlike the facts, UNDEFINED = -32768, UNDEFINED_OLD = -32767", "`RcSignal` knows the old value as well"),
     // Names that are left out or stand elsewhere.
-    ("RC_MAP lacks ADC1 = 33, ADC2 = 34, ADC3 = 35, ADC4 = 36, EXT_FC_INPUT_PITCH = 4, EXT_FC_INPUT_ROLL = 3, NOT_ASSIGNED = 0, RC_INPUT_PITCH = 2, RC_INPUT_ROLL = 1, RC_INPUT_YAW = 5", "they are constants of `RcSource`, which is shown as kind and channel"),
+    ("RC_MAP lacks ADC1 = 33, ADC2 = 34, ADC3 = 35, ADC4 = 36, EXT_FC_INPUT_PITCH = 4, EXT_FC_INPUT_ROLL = 3, NOT_ASSIGNED = 0, RC_INPUT_PITCH = 2, RC_INPUT_ROLL = 1, RC_INPUT_YAW = 5", "`WideRcSource` leaves them to `RcSource`"),
     ("BOARD_VER lacks CAN_MCU = 50, EXTENDED = 36, EXTENDED_LONG_GD32 = 27, OEM = 34, PRO = 41, REGULAR = 30, TINY = 31, TINY_REV_C_GD32 = 25", "they stand beside the number, in `BoardVersion::NAMES`"),
     ("CMD_RESET outgoing extended: NO_YES lacks NO = 0, YES = 1", "newer firmware has flags there, the first of which is this"),
     ("PROFILE_FLAGS1 lacks GIMBAL_LOCK_SMOOTH_TRANSITION = 16384", "sources disagree about the bit, which has the other name"),

@@ -64,17 +64,17 @@ blocks! {
     FixedText
 }
 
-impl<const N: usize> core::fmt::Debug for Bytes<N> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "{}", Hex(&self.0))
-    }
+macro_rules! debug_as_hex {
+    ($($block:ident)*) => { $(
+        impl<const N: usize> core::fmt::Debug for $block<N> {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                write!(f, "{}", Hex(&self.0))
+            }
+        }
+    )* };
 }
 
-impl<const N: usize> core::fmt::Debug for Reserved<N> {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        write!(f, "{}", Hex(&self.0))
-    }
-}
+debug_as_hex!(Bytes Reserved);
 
 impl<const N: usize> core::fmt::Debug for FixedText<N> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
@@ -205,28 +205,33 @@ mod reflection {
         Assign, AssignError, Describe, FieldInfo, Input, Place, Raw, Shape, Steps, Visitor,
     };
 
-    impl<const N: usize> Describe for Bytes<N> {
-        const SHAPE: Shape = Shape::Bytes { least: N, most: N };
+    macro_rules! blocks {
+        ($($block:ident: $shape:expr, $raw:path;)*) => { $(
+            impl<const N: usize> Describe for $block<N> {
+                const SHAPE: Shape = $shape;
 
-        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
-            place.leaf(N, None, Raw::Bytes(&self.0), visitor)
-        }
+                fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+                    place.leaf(N, None, $raw(&self.0), visitor)
+                }
+            }
+
+            impl<'a, const N: usize> Assign<'a> for $block<N> {
+                fn assign(
+                    &mut self,
+                    path: Steps<'_>,
+                    value: Input<'a>,
+                    _: &'static FieldInfo,
+                ) -> Result<(), AssignError> {
+                    assign_block(&mut self.0, path, value)
+                }
+            }
+        )* };
     }
 
-    impl<const N: usize> Describe for Reserved<N> {
-        const SHAPE: Shape = Shape::Bytes { least: N, most: N };
-
-        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
-            place.leaf(N, None, Raw::Bytes(&self.0), visitor)
-        }
-    }
-
-    impl<const N: usize> Describe for FixedText<N> {
-        const SHAPE: Shape = Shape::Text { most: N };
-
-        fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
-            place.leaf(N, None, Raw::Text(&self.0), visitor)
-        }
+    blocks! {
+        Bytes: Shape::Bytes { least: N, most: N }, Raw::Bytes;
+        Reserved: Shape::Bytes { least: N, most: N }, Raw::Bytes;
+        FixedText: Shape::Text { most: N }, Raw::Text;
     }
 
     impl Describe for Text<'_> {
@@ -254,39 +259,6 @@ mod reflection {
         block.fill(0);
         block.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
         Ok(())
-    }
-
-    impl<'a, const N: usize> Assign<'a> for Bytes<N> {
-        fn assign(
-            &mut self,
-            path: Steps<'_>,
-            value: Input<'a>,
-            _: &'static FieldInfo,
-        ) -> Result<(), AssignError> {
-            assign_block(&mut self.0, path, value)
-        }
-    }
-
-    impl<'a, const N: usize> Assign<'a> for Reserved<N> {
-        fn assign(
-            &mut self,
-            path: Steps<'_>,
-            value: Input<'a>,
-            _: &'static FieldInfo,
-        ) -> Result<(), AssignError> {
-            assign_block(&mut self.0, path, value)
-        }
-    }
-
-    impl<'a, const N: usize> Assign<'a> for FixedText<N> {
-        fn assign(
-            &mut self,
-            path: Steps<'_>,
-            value: Input<'a>,
-            _: &'static FieldInfo,
-        ) -> Result<(), AssignError> {
-            assign_block(&mut self.0, path, value)
-        }
     }
 
     impl<'a> Assign<'a> for Text<'a> {

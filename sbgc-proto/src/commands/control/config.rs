@@ -32,6 +32,7 @@ pub struct ControlConfig {
     /// Priority of the port on which this command comes, whichever that is; 0 leaves it as it is.
     pub this_ch_priority: u8,
     /// Filters and limits of each axis.
+    #[wire(group)]
     pub axes: PerAxis<ControlAxisConfig>,
     /// How much the signal's curve bends around the neutral point in the mode `Rc`; 0 leaves it as it is.
     ///

@@ -67,6 +67,7 @@ pub struct BodeTestData {
     /// The output that raw 65534 stands for.
     pub output_max: Float,
     /// The samples.
+    #[wire(group)]
     pub samples: List<BodeSample, 20>,
 }
 

@@ -44,10 +44,10 @@ pub enum CommandId {
     /// Request extended real-time data.
     #[wire(spec = "CMD_REALTIME_DATA_4")]
     RealtimeData4 = 25,
-    /// Calibrate the encoder offset of all motors.
+    /// Calibrate the offset of the encoders.
     #[wire(spec = "CMD_ENCODERS_CALIB_OFFSET_4")]
     EncodersCalibOffset4 = 26,
-    /// Start the electrical field offset calibration of the encoders with the default range (40 deg).
+    /// Calibrate how the encoders stand to the fields of their motors; the gimbal moves.
     #[wire(spec = "CMD_ENCODERS_CALIB_FLD_OFFSET_4")]
     EncodersCalibFldOffset4 = 27,
     /// Ask for the profile names.
@@ -62,7 +62,7 @@ pub enum CommandId {
     /// Change variables now, without saving to EEPROM.
     #[wire(spec = "CMD_SET_ADJ_VARS_VAL")]
     SetAdjVarsVal = 31,
-    /// Save all active adjustable variables to EEPROM (current profile).
+    /// Save adjustable variables to EEPROM.
     #[wire(spec = "CMD_SAVE_PARAMS_3")]
     SaveParams3 = 32,
     /// Ask for configuration block 2 of one profile.
@@ -119,7 +119,7 @@ pub enum CommandId {
     /// Have the board sign 32 bytes with its secret keys.
     #[wire(spec = "CMD_SIGN_MESSAGE")]
     SignMessage = 50,
-    /// Enter the bootloader at once, no confirmation.
+    /// Enter the bootloader.
     #[wire(spec = "CMD_BOOT_MODE_3")]
     BootMode3 = 51,
     /// Payload not published.
@@ -143,7 +143,7 @@ pub enum CommandId {
     /// Progress of a script started with debug information.
     #[wire(spec = "CMD_SCRIPT_DEBUG")]
     ScriptDebug = 58,
-    /// Start the regular magnetometer calibration of the active IMU (the one chosen by CMD_SELECT_IMU_3).
+    /// Calibrate the magnetometer of an IMU.
     #[wire(spec = "CMD_CALIB_MAG")]
     CalibMag = 59,
     /// Payload not published.
@@ -161,7 +161,7 @@ pub enum CommandId {
     /// Ask for the current values of variables.
     #[wire(spec = "CMD_GET_ADJ_VARS_VAL")]
     GetAdjVarsVal = 64,
-    /// Start the regular accelerometer calibration of the active IMU (the one chosen by CMD_SELECT_IMU_3).
+    /// Calibrate the accelerometer of an IMU.
     #[wire(spec = "CMD_CALIB_ACC")]
     CalibAcc = 65,
     /// Calibrate the internal voltage sensor against a measured voltage.
@@ -170,13 +170,13 @@ pub enum CommandId {
     /// Outgoing: move the gimbal. Incoming it is `CMD_CONFIRM`, [`Self::CONFIRM`].
     #[wire(spec = "CMD_CONTROL")]
     Control = 67,
-    /// Old request for real-time data.
+    /// Old request for real-time data, answered by `CMD_REALTIME_DATA_3`.
     #[wire(spec = "CMD_REALTIME_DATA")]
     RealtimeData = 68,
     /// Run a menu command.
     #[wire(spec = "CMD_EXECUTE_MENU")]
     ExecuteMenu = 69,
-    /// Reset to factory defaults.
+    /// Reset a profile, or everything, to factory defaults.
     #[wire(spec = "CMD_USE_DEFAULTS")]
     UseDefaults = 70,
     /// Calibrate the EXT_FC gains.
@@ -206,7 +206,7 @@ pub enum CommandId {
     /// Calibrate the follow offset at the present position.
     #[wire(spec = "CMD_CALIB_OFFSET")]
     CalibOffset = 79,
-    /// Calibrate the number of motor poles and the direction of the motors.
+    /// Calibrate the number of motor poles and the direction of the motors; the gimbal moves.
     #[wire(spec = "CMD_CALIB_POLES")]
     CalibPoles = 80,
     /// Write a piece of module firmware.
@@ -255,7 +255,7 @@ pub enum CommandId {
     /// Save, clear or load a whole profile set.
     #[wire(spec = "CMD_PROFILE_SET")]
     ProfileSet = 95,
-    /// Scan the CAN bus for devices (id is in the seed, layout only in newer sources).
+    /// Scan the CAN bus for devices.
     #[wire(spec = "CMD_CAN_DEVICE_SCAN")]
     CanDeviceScan = 96,
     /// Payload not published.
@@ -276,7 +276,7 @@ pub enum CommandId {
     /// An event happened.
     #[wire(spec = "CMD_EVENT")]
     Event = 102,
-    /// Start the regular gyroscope calibration of the active IMU (the one chosen by CMD_SELECT_IMU_3).
+    /// Calibrate the gyroscope of an IMU.
     #[wire(spec = "CMD_CALIB_GYRO")]
     CalibGyro = 103,
     /// Ask for configuration block 4 of one profile.
@@ -285,23 +285,22 @@ pub enum CommandId {
     /// Write configuration block 4 of one profile and save it to EEPROM.
     #[wire(spec = "CMD_WRITE_PARAMS_EXT3")]
     WriteParamsExt3 = 105,
-    /// Request it.
+    /// Ask what the external IMU tells.
     #[wire(spec = "CMD_EXT_IMU_DEBUG_INFO")]
     ExtImuDebugInfo = 106,
     /// Payload not published.
     #[wire(spec = "CMD_SET_DEVICE_ADDR")]
     SetDeviceAddr = 107,
-    /// Tuning command without configuration (stop, read).
+    /// Start, stop or configure automatic PID tuning, second version.
     #[wire(spec = "CMD_AUTO_PID2")]
     AutoPid2 = 108,
-    /// Turn the motors off (normal mode).
+    /// Turn the motors off.
     #[wire(spec = "CMD_MOTORS_OFF")]
     MotorsOff = 109,
     /// Pass a message on to the external IMU (Basecam GPS_IMU).
     #[wire(spec = "CMD_EXT_IMU_CMD")]
     ExtImuCmd = 110,
-    /// Request the persistent state, statistics and maintenance data (id is in the seed, layout only in
-    /// newer sources.
+    /// Request the persistent state: statistics and maintenance data.
     #[wire(spec = "CMD_READ_STATE_VARS")]
     ReadStateVars = 111,
     /// Write the persistent state back.
@@ -310,7 +309,7 @@ pub enum CommandId {
     /// Payload not published.
     #[wire(spec = "CMD_SERIAL_PROXY")]
     SerialProxy = 113,
-    /// Reset at once, no confirmation.
+    /// Restart the board; from the board, that it is about to restart.
     #[wire(spec = "CMD_RESET")]
     Reset = 114,
     /// Payload not published.
@@ -331,7 +330,7 @@ pub enum CommandId {
     /// Payload not published.
     #[wire(spec = "CMD_CALIB_CUR_SENS")]
     CalibCurSens = 120,
-    /// Move the gimbal.
+    /// Move the gimbal; only some axes and values are sent.
     #[wire(spec = "CMD_CONTROL_EXT")]
     ControlExt = 121,
     /// Payload not published.
@@ -352,7 +351,7 @@ pub enum CommandId {
     /// Telemetry of a CAN motor driver.
     #[wire(spec = "CMD_CAN_DRV_TELEMETRY")]
     CanDrvTelemetry = 127,
-    /// Do something with the chosen auxiliary motors.
+    /// Switch auxiliary motors on or off, or move them home.
     #[wire(spec = "CMD_EXT_MOTORS_ACTION")]
     ExtMotorsAction = 128,
     /// Give set-points to the chosen auxiliary motors.
@@ -370,10 +369,10 @@ pub enum CommandId {
     /// Put PWM on chosen servo outputs, also those of CAN drivers.
     #[wire(spec = "CMD_SERVO_OUT_EXT")]
     ServoOutExt = 133,
-    /// As CMD_SET_ADJ_VARS_VAL with float values.
+    /// Change variables now, with values as floats.
     #[wire(spec = "CMD_SET_ADJ_VARS_VAL_F")]
     SetAdjVarsValF = 134,
-    /// As CMD_GET_ADJ_VARS_VAL, answered with floats.
+    /// Ask for the current values of variables as floats.
     #[wire(spec = "CMD_GET_ADJ_VARS_VAL_F")]
     GetAdjVarsValF = 135,
     /// Ask for the password protection settings.

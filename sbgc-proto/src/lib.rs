@@ -47,8 +47,8 @@
 //! # Ok::<(), sbgc_proto::EncodeError>(())
 //! ```
 //!
-//! Whoever has to do with all of them matches on [`IncomingCommand`] and [`OutgoingCommand`], which a proxy, a sniffer or
-//! a simulated board needs nothing besides; whoever wants a few matches on the frame's id, and pays for those only.
+//! Whoever has to do with all of them matches on [`IncomingCommand`] and [`OutgoingCommand`], which a proxy, a sniffer
+//! or a simulated board needs nothing besides; whoever wants a few matches on the frame's id, and pays for those only.
 //!
 //! ```
 //! use sbgc_proto::{CommandId, IncomingCommand};

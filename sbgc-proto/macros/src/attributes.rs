@@ -137,6 +137,8 @@ pub(crate) enum Count {
 #[derive(Default)]
 pub(crate) struct FieldArguments {
     pub(crate) spec: Option<String>,
+    /// Whether the name is none of the spec's, which has no name for the group.
+    pub(crate) group: bool,
     pub(crate) unit: Option<String>,
     pub(crate) range: Option<(Expr, Expr)>,
     pub(crate) since: Option<String>,
@@ -161,6 +163,7 @@ impl FieldArguments {
     fn set(&mut self, Entry { key, value }: Entry) -> Result<()> {
         match key.to_string().as_str() {
             "spec" => self.spec = Some(string(value)?),
+            "group" => self.group = true,
             "unit" => self.unit = Some(string(value)?),
             "since" => self.since = Some(string(value)?),
             "range" => self.range = Some(range(value)?),
@@ -182,7 +185,10 @@ struct Entry {
 
 impl Parse for Entry {
     fn parse(input: ParseStream<'_>) -> Result<Self> {
-        let key = input.parse()?;
+        let key: Ident = input.parse()?;
+        if key == "group" {
+            return Ok(Entry { key, value: syn::parse_quote!(true) });
+        }
         input.parse::<Token![=]>()?;
         Ok(Entry { key, value: input.parse()? })
     }

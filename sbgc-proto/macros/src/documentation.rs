@@ -66,21 +66,28 @@ pub(crate) fn of_field(field: &Field) -> Vec<Attribute> {
     if field.reserved {
         return Vec::new();
     }
-    let mut line = format!("Spec: `{}`", field.spec);
+    let mut facts = Vec::new();
+    if !arguments.group {
+        facts.push(format!("Spec: `{}`", field.spec));
+    }
     if let Some(Count::Prefix(count)) = &arguments.count {
-        let _ = write!(line, ", counted by `{count}`");
+        facts.push(format!("counted by `{count}`"));
     }
     if let Some(unit) = &arguments.unit {
-        let _ = write!(line, ", in {unit}");
+        facts.push(format!("in {unit}"));
     }
     if let Some((from, to)) = &arguments.range {
         let plain = |end: &syn::Expr| end.to_token_stream().to_string().replace("- ", "-");
-        let _ = write!(line, ", raw range {} to {}", plain(from), plain(to));
+        facts.push(format!("raw range {} to {}", plain(from), plain(to)));
     }
     if let Some(since) = &arguments.since {
-        let _ = write!(line, ", firmware {since} and later");
+        facts.push(format!("firmware {since} and later"));
     }
-    line.push('.');
+    let mut line = facts.join(", ");
+    if let Some(first) = line.get_mut(..1) {
+        first.make_ascii_uppercase();
+        line.push('.');
+    }
     if let Some(when) = &arguments.when {
         let when = when.to_token_stream().to_string().replace(" . ", ".").replace(" :: ", "::");
         let _ = write!(
@@ -91,5 +98,9 @@ pub(crate) fn of_field(field: &Field) -> Vec<Attribute> {
     } else if field.is_option {
         line.push_str(" Absent where the payload ends before it.");
     }
+    if line.is_empty() {
+        return Vec::new();
+    }
+    let line = line.trim_start();
     vec![parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line])]
 }

@@ -50,6 +50,7 @@ use proc_macro::TokenStream;
 /// | key | meaning |
 /// | --- | --- |
 /// | `spec = "…"` | the spec's name, where it is not the field's name in capitals |
+/// | `group` | the spec has no name for what the field holds: it is left out of the documentation |
 /// | `unit = "…"` | unit of a plain number whose scale is 1 |
 /// | `range = A..=B` | allowed raw values |
 /// | `since = "…"` | first firmware that uses the field |

@@ -19,7 +19,7 @@ pub struct BoardInfoExtendedRequest<'a> {
     pub cfg: u16,
     /// From firmware 2.73.6 on a password that opens a protected port: its length, 1 to 32, then its bytes.
     ///
-    /// See [`password`](Self::password). Known from one source.
+    /// See [`password`](Self::password). Published in the vendor's Python library only.
     pub reserved: &'a [u8],
 }
 
@@ -126,7 +126,6 @@ pub struct BoardInfo3 {
     /// How many adjustable variables there are.
     #[wire(since = "2.73")]
     pub adj_vars_total_num: u8,
-    /// Kept as it came; zero in a new message.
     pub reserved: Reserved<10>,
 }
 

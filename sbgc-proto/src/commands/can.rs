@@ -6,13 +6,17 @@ use crate::commands::Confirm;
 use crate::units::ModuleVersion;
 use crate::wire::{Bytes, List, Reserved, bit_enums, bit_fields};
 
-/// Looks for devices on the CAN bus. A board that refuses sends `CMD_ERROR`.
+/// Looks for devices on the CAN bus.
+///
+/// A board that refuses sends `CMD_ERROR`.
 #[message(CMD_CAN_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan)]
 pub struct CanDeviceScanRequest {}
 
-/// Looks for uDrv modules, finds their IMU and gives out ids. It changes which device does what.
+/// Looks for uDrv modules, finds their IMU and gives out ids.
 ///
-/// Known from one source.
+/// It changes which device does what.
+///
+/// Published in the vendor's Python library only.
 #[message(CMD_UDRV_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan)]
 pub struct UdrvDeviceScan {}
 
@@ -20,6 +24,7 @@ pub struct UdrvDeviceScan {}
 #[message(CMD_CAN_DEVICE_SCAN, incoming, size = 0..=252)]
 pub struct CanDeviceScan {
     /// The devices; none when none answered.
+    #[wire(group)]
     pub devices: List<CanDevice, 18>,
 }
 
@@ -111,7 +116,7 @@ pub struct ModuleListRequest {}
 #[message(CMD_MODULE_LIST, incoming, size = 1..=248)]
 pub struct ModuleList {
     /// The modules; those with id 0 are none.
-    #[wire(counted_by = "DEVICE_NUM")]
+    #[wire(group, counted_by = "DEVICE_NUM")]
     pub devices: List<CanModule, 19>,
 }
 
@@ -127,7 +132,6 @@ pub struct CanModule {
     pub bootloader_ver: ModuleVersion,
     /// Version of its firmware.
     pub firmware_ver: ModuleVersion,
-    /// Kept as it came; zero in a new message.
     pub reserved: Reserved<6>,
 }
 
@@ -177,7 +181,9 @@ pub enum CanModuleId {
     Hub2 = 13,
 }
 
-/// Starts to write the firmware of a module. Known from one source.
+/// Starts to write the firmware of a module.
+///
+/// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_START, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashStart {
     /// Which module.
@@ -187,7 +193,9 @@ pub struct ModuleFlashStart {
     pub firmware_size: u32,
 }
 
-/// Writes a piece of the firmware of a module. Known from one source.
+/// Writes a piece of the firmware of a module.
+///
+/// Published in the vendor's Python library only.
 ///
 /// Wait for the confirmation of each. The data of an error has the device and the packet, 2 bytes each.
 #[message(CMD_MODULE_FLASH_WRITE, outgoing, size = 14..=138, answer = Confirm)]
@@ -206,7 +214,9 @@ pub struct ModuleFlashWrite<'a> {
     pub data: &'a [u8],
 }
 
-/// Ends writing the firmware of a module. Known from one source.
+/// Ends writing the firmware of a module.
+///
+/// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_FINISH, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashFinish {
     /// Which module.

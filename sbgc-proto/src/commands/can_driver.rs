@@ -55,7 +55,8 @@ impl CanDrvTelemetryFlags {
 /// Telemetry of a motor driver on the CAN bus, sent as a data stream only.
 ///
 /// The message does not say what it holds: read it with the flags of the stream. The fields that were not chosen are
-/// `None`. The widths of the fields are known from one source only.
+/// `None`. The widths of the fields are those that a third-party library
+/// takes from a newer specification.
 #[message(
     CMD_CAN_DRV_TELEMETRY, incoming, size = 3..=35, since = "2.72b0", context(selection: CanDrvTelemetryFlags)
 )]
@@ -67,7 +68,7 @@ pub struct CanDrvTelemetry {
     /// The board's time, which starts again after 65535.
     #[wire(unit = "ms")]
     pub timestamp_ms: u16,
-    /// State of the CAN bus; no source names the flags.
+    /// State of the CAN bus; its flags are not published.
     #[wire(when = selection.contains(Flags::CAN_BUS_FLAGS))]
     pub can_bus_flags: Option<u8>,
     /// Errors of the CAN bus.

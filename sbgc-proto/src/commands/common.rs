@@ -4,7 +4,7 @@ use sbgc_proto_macros::open_enum;
 
 use crate::wire::{bit_enums, bit_fields};
 
-/// A switch.
+/// Off or on. Spec: `NO_YES`.
 #[open_enum(u8)]
 pub enum Switch {
     /// Off, no.
@@ -16,7 +16,7 @@ pub enum Switch {
 }
 bit_enums!(Switch);
 
-/// Which profile of parameters.
+/// Which profile of parameters. Spec: `PROFILE_ID`.
 #[open_enum(u8)]
 pub enum ProfileId {
     /// The first.
@@ -42,7 +42,20 @@ pub enum ProfileId {
     Current = 255,
 }
 
-/// Which inertial measurement unit.
+/// An axis of the gimbal. Spec: `BODE_TEST_AXIS`, `SYNC_MOTORS_AXIS`.
+#[open_enum(u8)]
+pub enum Axis {
+    /// Rotation about the optical axis.
+    Roll = 0,
+    /// Rotation up and down.
+    Pitch = 1,
+    /// Rotation left and right.
+    Yaw = 2,
+}
+
+/// Which inertial measurement unit, counted from 1. Spec: `IMU_TYPE`.
+///
+/// A few commands count otherwise: see [`ImuIndex`](super::ImuIndex) and [`CalibImu`](super::CalibImu).
 #[open_enum(u8)]
 pub enum ImuType {
     /// The one on the camera platform.

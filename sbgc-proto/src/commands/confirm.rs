@@ -8,9 +8,12 @@ use crate::{CommandId, EncodeError};
 /// A command was accepted, or what it started is done.
 ///
 /// Calibrations are confirmed twice, when they start and when they end. `CMD_CONTROL` is confirmed at once, and with
-/// `AUTO_TASK` again when all targets are reached. Whether some commands are confirmed at all differs between sources
-/// (several encoder and motor calibrations, `CMD_USE_DEFAULTS`, `CMD_RUN_SCRIPT`): take a confirmation of these if it
-/// comes, and do not need it.
+/// `AUTO_TASK` again when all targets are reached. A command that fails is answered by [`Error`] instead, or by
+/// nothing.
+///
+/// Whether some commands are confirmed at all is not settled: the specification is silent about several calibrations of
+/// encoders and motors, `CMD_USE_DEFAULTS` and `CMD_RUN_SCRIPT`, and libraries differ. Take a confirmation of these if
+/// it comes, and do not depend on it. The page of each command says what holds for it.
 #[message(CMD_CONFIRM, incoming, size = 1..=5)]
 #[derive(Copy)]
 pub struct Confirm {
@@ -88,7 +91,9 @@ impl ToWire for ConfirmData {
     }
 }
 
-/// A command failed; the form of the specification's own time, which does not say which command.
+/// A command failed: why, but not which one.
+///
+/// The form of older specifications.
 ///
 /// Whether the firmware changed or the old documents were wrong is not settled, so the length decides: with one or
 /// five bytes the payload begins with the error code, with any other number it is an [`Error`].
@@ -101,7 +106,9 @@ pub struct ErrorLegacy {
     pub error_data: Option<crate::wire::Bytes<4>>,
 }
 
-/// A command failed.
+/// A command failed: which one, and why.
+///
+/// The form of newer documents. Older ones have [`ErrorLegacy`], which does not name the command.
 #[message(CMD_ERROR, incoming, size = 2..=6)]
 #[derive(Copy)]
 pub struct Error {
@@ -261,7 +268,7 @@ impl ToWire for ErrorData {
 
 /// Why a command failed. Spec: `ERROR_CODE`.
 ///
-/// Known from newer sources, which call them the usual codes; there may be others.
+/// These are the usual codes of newer documents; there may be others.
 #[open_enum(u8)]
 pub enum ErrorCode {
     /// Nothing failed.

@@ -36,7 +36,7 @@ pub struct DebugVarsInfo3<'a> {
     /// where the payload does.
     pub debug_vars_num: u8,
     /// The variables, in the order of their values.
-    #[wire(at_most = usize::from(*debug_vars_num))]
+    #[wire(group, at_most = usize::from(*debug_vars_num))]
     pub vars: List<DebugVarInfo<'a>, 63>,
 }
 
@@ -119,7 +119,9 @@ bit_enums!(DebugVarType, DebugVarAxis);
 #[derive(Copy)]
 pub struct DebugVars3Request {}
 
-/// Asks for the values of some debug variables. The answer repeats the masks before the values.
+/// Asks for the values of some debug variables.
+///
+/// The answer repeats the masks before the values.
 #[message(
     CMD_DEBUG_VARS_3, outgoing, form = "extended", size = 4..=32, length = 4.., since = "2.72b0", answer = DebugVars3<'answer>
 )]
@@ -224,7 +226,8 @@ impl DebugVars3<'_> {
 
 /// Values of the debug variables that were asked for.
 ///
-/// The masks come first, as newer sources agree; the vendor's C library passes over them in a way that cannot be right.
+/// The masks come first, as newer documents agree; the vendor's C library passes over them in a way that cannot be
+/// right.
 #[message(
     CMD_DEBUG_VARS_3, incoming, form = "masked", size = 4..=255, since = "2.72b0", context(masks: usize)
 )]

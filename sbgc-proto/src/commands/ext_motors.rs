@@ -1,4 +1,4 @@
-//! Auxiliary motors: up to seven besides those of the gimbal. All of it is known from newer documents only.
+//! Auxiliary motors: up to seven besides those of the gimbal. Firmware 2.73 and later.
 
 use sbgc_proto_macros::{message, open_enum, record};
 
@@ -71,8 +71,8 @@ pub enum ExtMotorAction {
 
 /// Gives set-points to auxiliary motors.
 ///
-/// It is confirmed with [`ExtMotors::CONFIRM`]. Sources differ in the number of set-points: one for each chosen motor is
-/// taken here, others send three or seven copies of one. With one motor a message all boards understand the same.
+/// It is confirmed with [`ExtMotors::CONFIRM`]. How many set-points there are is not settled: there is one for each
+/// chosen motor here, while the vendor's libraries send three or seven copies of one. Best send one motor at a time.
 #[message(CMD_EXT_MOTORS_CONTROL, outgoing, size = 2..=58, since = "2.73.0")]
 pub struct ExtMotorsControl {
     /// Which motors.
@@ -80,7 +80,7 @@ pub struct ExtMotorsControl {
     /// What there is for each.
     pub data_set: ExtMotorsControlDataSet,
     /// The set-points, lowest motor first.
-    #[wire(count = for_motors.count(), context = *data_set)]
+    #[wire(group, count = for_motors.count(), context = *data_set)]
     pub motors: List<ExtMotorSetpoint, 7>,
 }
 

@@ -5,7 +5,9 @@ use sbgc_proto_macros::{message, open_enum};
 use crate::commands::Confirm;
 use crate::wire::{bit_enums, bit_fields};
 
-/// Writes to a register of a device. The board confirms when that succeeded.
+/// Writes to a register of a device.
+///
+/// The board confirms when that succeeded.
 #[message(CMD_I2C_WRITE_REG_BUF, outgoing, size = 2..=255, answer = Confirm)]
 pub struct I2cWriteRegBuf<'a> {
     /// Which device.
@@ -16,7 +18,9 @@ pub struct I2cWriteRegBuf<'a> {
     pub data: &'a [u8],
 }
 
-/// Reads from a register of a device. The board answers when that succeeded.
+/// Reads from a register of a device.
+///
+/// The board answers when that succeeded.
 #[message(CMD_I2C_READ_REG_BUF, outgoing, size = 3, answer = I2cReadRegBuf<'answer>)]
 pub struct I2cReadRegBufRequest {
     /// Which device.

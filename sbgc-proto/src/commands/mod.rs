@@ -11,7 +11,6 @@
 //! have the spec's names in lower case. What a number means is in its type: quantities of [`units`](crate::units), open
 //! enumerations, flag sets and bit fields; only plain numbers have a `unit` or `range` of their own. Reserved bytes are
 //! [`Reserved`](crate::wire::Reserved); those that newer firmware has put to use are typed fields with a `since`.
-//!
 
 mod actions;
 mod adjustable;
@@ -26,6 +25,7 @@ mod debug;
 mod ext_motors;
 mod i2c;
 mod imu;
+mod packed_quaternion;
 mod params;
 mod rc_inputs;
 mod realtime;
@@ -49,6 +49,7 @@ pub use debug::*;
 pub use ext_motors::*;
 pub use i2c::*;
 pub use imu::*;
+pub use packed_quaternion::*;
 pub use params::*;
 pub use rc_inputs::*;
 pub use realtime::*;

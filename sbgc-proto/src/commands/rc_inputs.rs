@@ -20,7 +20,7 @@ pub struct ReadRcInputs {
 pub struct RcInputs {
     /// The signals, in the order of the request.
     ///
-    /// The specification gives -32767 for no signal, newer sources -32768; [`RcSignal::signal`] takes both so.
+    /// The specification gives -32767 for no signal, newer documents -32768; [`RcSignal::signal`] takes both for that.
     #[wire(range = -16384..=16384)]
     pub rc_val: List<RcSignal, 127>,
 }

@@ -5,10 +5,12 @@ use sbgc_proto_macros::{message, open_enum};
 use crate::commands::FsErrorCode;
 use crate::wire::Reserved;
 
-/// Starts or stops a script. Only boards with the feature `BOARD_FEATURE_SCRIPTING` can.
+/// Starts or stops a script.
 ///
-/// Whether the board answers is not settled: one source expects a confirmation, the vendor's libraries wait for none.
-/// Take one if it comes and do not rely on it.
+/// Only boards with the feature `BOARD_FEATURE_SCRIPTING` can.
+///
+/// Whether the board confirms is not settled: the specification does not say, and the vendor's libraries wait for
+/// nothing. Take a `CMD_CONFIRM` if it comes, and do not depend on it.
 #[message(CMD_RUN_SCRIPT, outgoing, size = 34)]
 pub struct RunScript {
     /// What to do.

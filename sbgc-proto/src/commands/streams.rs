@@ -79,8 +79,8 @@ pub enum StreamSource {
     RealtimeData4,
     /// [`RealtimeDataCustom`](super::RealtimeDataCustom) with these flags.
     RealtimeDataCustom(RealtimeDataCustomFlags),
-    /// [`AhrsHelper`](super::AhrsHelper) of this IMU. Sources do not agree whether it counts from 0, as the
-    /// specification has it and is followed here, or from 1.
+    /// [`AhrsHelper`](super::AhrsHelper) of this IMU. It counts from 0, as the specification has it;
+    /// some libraries count from 1.
     AhrsHelper(ImuIndex),
     /// [`Event`]; firmware 2.65b7 and later.
     Event {
@@ -94,8 +94,8 @@ pub enum StreamSource {
     CanDrvTelemetry {
         /// What the messages hold.
         flags: CanDrvTelemetryFlags,
-        /// Which driver. Sources do not say whether it is a number from 0 to 6, as the message itself has it, or a
-        /// set of bits.
+        /// Which driver. Whether it is a number from 0 to 6, as in the message itself, or a set of bits is not
+        /// settled.
         drv_id: u8,
     },
     /// [`ExtMotorsState`](super::ExtMotorsState) of these motors; firmware 2.73 and later.
@@ -175,7 +175,9 @@ impl StreamSource {
     }
 }
 
-/// Something happened. Sent only to ports that asked for it by [`DataStreamInterval`].
+/// Something happened.
+///
+/// Sent only to ports that asked for it by [`DataStreamInterval`].
 #[message(CMD_EVENT, incoming, size = 4..=255, since = "2.65")]
 #[derive(Copy)]
 pub struct Event<'a> {

@@ -33,7 +33,7 @@ macro_rules! quantities {
                     pub const $named: Self = Self($name_raw);
                 )*
 
-                /// The names that some values have besides.
+                /// The names that some values have besides being numbers.
                 pub const NAMES: &'static [crate::wire::Label] = &[
                     $(crate::wire::Label {
                         value: $name_raw,
@@ -76,7 +76,7 @@ macro_rules! quantities {
                 if raw > least && raw < most { Ok(Self::$from(value)) } else { Err(crate::OutOfRange) }
             }
 
-            /// The values that are names.
+            /// The raw numbers that are names rather than quantities; most types have none.
             pub const LABELS: &'static [crate::wire::Label] = &[
                 $($(crate::wire::Label {
                     value: $special_raw,

@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::commands::{Confirm, MenuCommand};
+use crate::commands::{Axis, Confirm, MenuCommand};
 use crate::wire::flags;
 
 /// Switches the motors on.
@@ -39,7 +39,7 @@ pub enum MotorsOffMode {
 #[message(CMD_SYNC_MOTORS, outgoing, size = 6, since = "2.70b9", answer = Confirm)]
 pub struct SyncMotors {
     /// The axis.
-    pub axis: SyncMotorsAxis,
+    pub axis: Axis,
     /// Power in the windings.
     pub power: u8,
     /// For how long; then the motors are switched off.
@@ -47,17 +47,6 @@ pub struct SyncMotors {
     pub time_ms: u16,
     /// By what angle to turn, 0 to hold. The unit is not published.
     pub angle: u16,
-}
-
-/// An axis. Spec: `SYNC_MOTORS_AXIS`.
-#[open_enum(u8)]
-pub enum SyncMotorsAxis {
-    /// ROLL.
-    Roll = 0,
-    /// PITCH.
-    Pitch = 1,
-    /// YAW.
-    Yaw = 2,
 }
 
 /// Runs a menu command.

@@ -144,7 +144,9 @@ pub enum TriggerPinState {
     PulledDown = 4,
 }
 
-/// Puts pulses on the servo outputs. It is not confirmed.
+/// Puts pulses on the servo outputs.
+///
+/// It is not confirmed.
 ///
 /// Not every board has eight outputs. Newer documents have four times (outputs `EXT_FC_ROLL`, `EXT_FC_PITCH`,
 /// `RC_PITCH`, `AUX1`) and 8 reserved bytes in the same 16: leave the last four at 0 or below for those boards.
@@ -158,10 +160,12 @@ pub struct ServoOut {
     pub servo_time: [ServoTime; 8],
 }
 
-/// Puts pulses on chosen servo outputs, those of CAN drivers too. It is not confirmed.
+/// Puts pulses on chosen servo outputs, those of CAN drivers too.
 ///
-/// One of the vendor's libraries forgets to send the bits; this is the layout of the others. More outputs than the named
-/// ones are kept as they come.
+/// It is not confirmed.
+///
+/// One of the vendor's libraries forgets to send the bits; this is the layout of the others. More outputs than the
+/// named ones are kept as they come.
 #[message(CMD_SERVO_OUT_EXT, outgoing, size = 4..=40, since = "2.73.2")]
 pub struct ServoOutExt {
     /// Which outputs.

@@ -5,7 +5,9 @@ use sbgc_proto_macros::message;
 use crate::commands::Switch;
 use crate::wire::flags;
 
-/// Restarts the board at once. It is not confirmed.
+/// Restarts the board at once.
+///
+/// It is not confirmed.
 #[message(CMD_RESET, outgoing, form = "simple", size = 0, length = 0)]
 pub struct ResetRequest {}
 
@@ -40,7 +42,9 @@ flags! {
 #[message(CMD_RESET, incoming, size = 0)]
 pub struct Reset {}
 
-/// Enters the bootloader at once. It is not confirmed.
+/// Enters the bootloader at once.
+///
+/// It is not confirmed.
 ///
 /// Anything else that is sent to the port afterwards can confuse the bootloader.
 #[message(CMD_BOOT_MODE_3, outgoing, form = "simple", size = 0, length = 0)]
@@ -61,7 +65,7 @@ pub struct BootMode3Extended {
 
 /// Connects two serial ports of the board, which from then on carry anything and no longer this protocol.
 ///
-/// Success is not answered, failure is with `CMD_ERROR`. Known from one source.
+/// Success is not answered, failure is with `CMD_ERROR`. Published in the vendor's Python library only.
 #[message(CMD_SET_TRANSP_PROXY, outgoing, size = 2, since = "2.74.5")]
 pub struct SetTranspProxy {
     /// One port: 0 for the one on which this comes, 1 and up for the others.

@@ -5,7 +5,9 @@ use sbgc_proto_macros::message;
 use crate::units::{NoteFrequency, SoundTime};
 use crate::wire::{List, Reserved, flags};
 
-/// Plays a standard sound or a melody on the motors or the buzzer. It is not confirmed.
+/// Plays a standard sound or a melody on the motors or the buzzer.
+///
+/// It is not confirmed.
 ///
 /// The envelope, and the volume of the settings, count only in firmware with encoders or while the motors are off.
 ///
@@ -33,11 +35,11 @@ pub struct BeepSound {
     /// How slowly a note fades after a pause; 0 is no fading.
     #[wire(range = 0..=15)]
     pub decay_factor: u8,
-    /// Kept as it came; zero in a new message.
     pub reserved: Reserved<8>,
     /// The notes of a melody, with [`BeepSoundMode::CUSTOM_MELODY`] only: 554 to 21000 Hz, or a pause.
     ///
-    /// [`NoteFrequency::RESTART`] starts the envelope anew; what is beyond it also pauses, see [`NoteFrequency::pause`].
+    /// [`NoteFrequency::RESTART`] starts the envelope anew; what is beyond it also pauses, see
+    /// [`NoteFrequency::pause`].
     #[wire(range = 554..=65535)]
     pub note_freq_hz: List<NoteFrequency, 50>,
 }

@@ -1,6 +1,7 @@
 //! Payloads of actions byte by byte. Where nothing else is said they are made by hand from the layout.
 
 use super::*;
+use crate::commands::Axis;
 use crate::commands::{MenuCommand, Switch};
 use crate::units::{CoarseRcSignal, NoteFrequency, RcSignal, ServoTime, SoundTime};
 use crate::wire::{FromWire, ToWire};
@@ -54,7 +55,7 @@ fn restarts() {
 
 #[test]
 fn motors_in_step() {
-    let message = SyncMotors { axis: SyncMotorsAxis::Yaw, power: 100, time_ms: 1000, angle: 0x0102 };
+    let message = SyncMotors { axis: Axis::Yaw, power: 100, time_ms: 1000, angle: 0x0102 };
     same(message, &[2, 100, 0xE8, 3, 2, 1]);
 }
 

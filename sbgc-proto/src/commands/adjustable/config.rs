@@ -18,10 +18,11 @@ pub struct WriteAdjVarsCfg(pub AdjVarsCfg);
 #[message(CMD_READ_ADJ_VARS_CFG, incoming, size = 128)]
 pub struct AdjVarsCfg {
     /// Signals that run actions.
+    #[wire(group)]
     pub trigger_slots: [TriggerSlot; 10],
     /// Signals that change variables.
+    #[wire(group)]
     pub analog_slots: [AnalogSlot; 15],
-    /// Kept.
     pub reserved: Reserved<8>,
 }
 

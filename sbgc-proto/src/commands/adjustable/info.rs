@@ -10,8 +10,8 @@ use crate::wire::{List, Text};
 /// One answer has as many as fit; ask again from the next for more.
 #[message(CMD_ADJ_VARS_INFO, outgoing, size = 0..=1, since = "2.73", answer = AdjVarsInfo<'answer>)]
 pub struct AdjVarsInfoRequest {
-    /// The first that is wanted. The vendor's library always sends it; by another source it may be left out, which is
-    /// 0.
+    /// The first that is wanted. The vendor's library always sends it; a third-party one may leave it
+    /// out, which stands for 0.
     pub start_id: Option<AdjustableVariable>,
 }
 
@@ -21,6 +21,7 @@ pub struct AdjVarsInfo<'a> {
     /// How many the firmware has in all, not in this message.
     pub total_number: u8,
     /// Those of this message.
+    #[wire(group)]
     pub vars: List<VariableInfo<'a>, 25>,
 }
 

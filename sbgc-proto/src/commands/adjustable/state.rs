@@ -87,7 +87,6 @@ pub struct AdjVarsStateLegacy {
     pub analog_rc_data: i16,
     /// The variable of the analog slot after all that changes it.
     pub analog_value: i32,
-    /// Kept.
     pub reserved: Reserved<6>,
 }
 

@@ -16,7 +16,7 @@ pub struct SetAdjVarsVal(pub AdjVarsVal);
 #[message(CMD_SET_ADJ_VARS_VAL, incoming, size = 1..=201)]
 pub struct AdjVarsVal {
     /// The variables, 1 to 40.
-    #[wire(counted_by = "NUM_PARAMS")]
+    #[wire(group, counted_by = "NUM_PARAMS")]
     pub params: List<VariableValue, 40>,
 }
 
@@ -40,7 +40,7 @@ pub struct VariableValue {
 
 /// Changes variables at once, with values as floats.
 ///
-/// Confirmed on success. One source calls the command `CMD_SET_ADJ_VARS_F`.
+/// Confirmed on success. A third-party library calls the command `CMD_SET_ADJ_VARS_F`.
 #[message(CMD_SET_ADJ_VARS_VAL_F, outgoing, size = 1..=201, since = "2.73.4", answer = Confirm)]
 pub struct SetAdjVarsValF(pub AdjVarsValF);
 
@@ -48,7 +48,7 @@ pub struct SetAdjVarsValF(pub AdjVarsValF);
 #[message(CMD_SET_ADJ_VARS_VAL_F, incoming, size = 1..=201, since = "2.73.4")]
 pub struct AdjVarsValF {
     /// The variables, 1 to 40.
-    #[wire(counted_by = "NUM_PARAMS")]
+    #[wire(group, counted_by = "NUM_PARAMS")]
     pub params: List<VariableValueF, 40>,
 }
 

@@ -7,8 +7,10 @@ use crate::wire::{PerAxis, flags};
 
 /// Makes the present position the zero of all encoders.
 ///
-/// Put the gimbal into its normal position before; it does not move. Whether a `CMD_CONFIRM` comes is not settled: take
-/// it if it comes, do not depend on it. The result is in `ENCODER_OFFSET` of the parameters.
+/// Put the gimbal into its normal position first; it does not move. Only boards with
+/// [`BoardFeatures::ENCODERS`](crate::commands::BoardFeatures::ENCODERS) can. Whether the board confirms is not
+/// settled: take a `CMD_CONFIRM` if it comes, and do not depend on it. The result is in
+/// [`encoder_offset`](crate::commands::ParamsExt::encoder_offset) of the parameters.
 #[message(CMD_ENCODERS_CALIB_OFFSET_4, outgoing, form = "simple", size = 0, length = 0)]
 pub struct EncodersCalibOffset4Simple {}
 
@@ -36,16 +38,20 @@ pub enum ForMotor {
 
 /// Finds how the encoders stand to the fields of their motors.
 ///
-/// The gimbal moves, by 40 degrees. The motors should be on and the gimbal free to move. Whether a `CMD_CONFIRM` comes at its end is not settled: take
-/// it if it comes, do not depend on it; no source says how long it takes. Failure shows in the system error of the
-/// real-time data. The result is in `ENCODER_FLD_OFFSET` of the parameters.
+/// **The gimbal moves**, by 40 degrees: the motors should be on and nothing in its way. Only boards with
+/// [`BoardFeatures::ENCODERS`](crate::commands::BoardFeatures::ENCODERS) can.
+///
+/// Whether the board confirms the end is not settled: take a `CMD_CONFIRM` if it comes, and do not depend on it. How
+/// long it takes is not published. Failure shows in the [`SystemErrors`](crate::commands::SystemErrors) of the
+/// real-time data, the result in [`encoder_fld_offset`](crate::commands::ParamsExt::encoder_fld_offset) of the
+/// parameters.
 #[message(CMD_ENCODERS_CALIB_FLD_OFFSET_4, outgoing, form = "simple", size = 0, length = 0)]
 pub struct EncodersCalibFldOffset4Simple {}
 
 /// Finds how the encoders stand to the fields of their motors, over a given range.
 ///
-/// The gimbal moves. All else is as with [`EncodersCalibFldOffset4Simple`]. For firmware 2.70b8 to 2.71b0, of which it is not known what
-/// longer forms it takes, this is the one to use.
+/// **The gimbal moves.** All else is as with [`EncodersCalibFldOffset4Simple`]. For firmware 2.70b8 to 2.71b0, of which it
+/// is not known what longer forms it takes, this is the one to use.
 #[message(
     CMD_ENCODERS_CALIB_FLD_OFFSET_4,
     outgoing,
@@ -55,14 +61,14 @@ pub struct EncodersCalibFldOffset4Simple {}
     since = "2.62b6"
 )]
 pub struct EncodersCalibFldOffset4 {
-    /// How far to move; by default 40 degrees.
+    /// How far to move; the default is 40 degrees, raw 1820.
     #[wire(range = -16384..=16384)]
     pub calib_angle: PerAxis<Angle>,
 }
 
 /// Finds how the encoders stand to the fields of their motors, over a given range at a given speed.
 ///
-/// The gimbal moves. All else is as with [`EncodersCalibFldOffset4Simple`].
+/// **The gimbal moves.** All else is as with [`EncodersCalibFldOffset4Simple`].
 #[message(
     CMD_ENCODERS_CALIB_FLD_OFFSET_4,
     outgoing,
@@ -72,23 +78,23 @@ pub struct EncodersCalibFldOffset4 {
     since = "2.71b1"
 )]
 pub struct EncodersCalibFldOffset4Speed {
-    /// How far to move; by default 40 degrees.
+    /// How far to move; the default is 40 degrees, raw 1820.
     #[wire(range = -16384..=16384)]
     pub calib_angle: PerAxis<Angle>,
-    /// How fast to move; by default raw 100, about 6 degrees a second.
+    /// How fast to move; the default is raw 100, about 6 degrees a second.
     pub calib_speed: PerAxis<SensorRate>,
 }
 
-/// Finds how the encoders stand to the fields of their motors, with all that can be said about it.
+/// Finds how the encoders stand to the fields of their motors, over a given range, at a given speed, with fewer checks.
 ///
-/// The gimbal moves. All else is as with [`EncodersCalibFldOffset4Simple`]. Sources have the flags in firmware 2.70b8 already, before the
+/// **The gimbal moves.** All else is as with [`EncodersCalibFldOffset4Simple`]. The vendor's libraries have the flags in firmware 2.70b8 already, before the
 /// speed that stands in front of them; what firmware between that and 2.71b1 expects is not settled.
 #[message(CMD_ENCODERS_CALIB_FLD_OFFSET_4, outgoing, form = "extended_flags", size = 14, since = "2.71b1")]
 pub struct EncodersCalibFldOffset4Flags {
-    /// How far to move; by default 40 degrees.
+    /// How far to move; the default is 40 degrees, raw 1820.
     #[wire(range = -16384..=16384)]
     pub calib_angle: PerAxis<Angle>,
-    /// How fast to move; by default raw 100, about 6 degrees a second.
+    /// How fast to move; the default is raw 100, about 6 degrees a second.
     pub calib_speed: PerAxis<SensorRate>,
     /// What not to check.
     pub calib_flags: EncoderCalibFlags,

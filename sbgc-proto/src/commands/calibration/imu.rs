@@ -8,15 +8,16 @@ use crate::wire::Reserved;
 
 /// Starts the regular calibration of the accelerometer.
 ///
-/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. Whether this
-/// form is confirmed is not settled, so better use [`CalibAcc`], which names its sensor and does get confirmations.
+/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. By the
+/// specification the board confirms it at the start and at the end, but the vendor's libraries wait for nothing after
+/// this form: prefer [`CalibAcc`], which names its sensor and is surely confirmed.
 #[message(CMD_CALIB_ACC, outgoing, form = "simple", size = 0, length = 0)]
 pub struct CalibAccSimple {}
 
-/// Calibrates the accelerometer, or does something with its calibration.
+/// Calibrates the accelerometer of a chosen sensor, or resets, copies or switches its calibration.
 ///
-/// If the parameters are valid `CMD_CONFIRM` comes at once, and a second one when the calibration has ended. Nothing
-/// moves: the sensor must be held still, for a calibration of all limits with each axis up and down in turn.
+/// If the parameters are valid the board confirms at once, and again when the calibration has ended. The motors move
+/// nothing: the sensor must be held still, for a calibration of all limits with each axis up and down in turn.
 /// Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress, the axis that is looked at and the limits
 /// that are done. How long it takes depends on the person who turns the sensor.
 ///
@@ -27,15 +28,16 @@ pub struct CalibAcc(pub ImuCalibration);
 
 /// Starts the regular calibration of the gyroscope.
 ///
-/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. Whether this
-/// form is confirmed is not settled, so better use [`CalibGyro`], which names its sensor and does get confirmations.
+/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. By the
+/// specification the board confirms it at the start and at the end, but the vendor's libraries wait for nothing after
+/// this form: prefer [`CalibGyro`], which names its sensor and is surely confirmed.
 #[message(CMD_CALIB_GYRO, outgoing, form = "simple", size = 0, length = 0)]
 pub struct CalibGyroSimple {}
 
-/// Calibrates the gyroscope, or does something with its calibration.
+/// Calibrates the gyroscope of a chosen sensor, or resets, copies or switches its calibration.
 ///
-/// If the parameters are valid `CMD_CONFIRM` comes at once, and a second one when the calibration has ended, after
-/// about 4 s unless another time was asked for. Nothing moves, and nothing may: the sensor must be held still.
+/// If the parameters are valid the board confirms at once, and again when the calibration has ended, after
+/// about 4 s unless another time was asked for. The sensor must be held still meanwhile.
 /// Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress, and in the amplitude of the gyroscope any
 /// movement that spoils the result.
 ///
@@ -46,14 +48,15 @@ pub struct CalibGyro(pub ImuCalibration);
 
 /// Starts the regular calibration of the magnetometer.
 ///
-/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. Whether this
-/// form is confirmed is not settled, so better use [`CalibMag`], which names its sensor and does get confirmations.
+/// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. By the
+/// specification the board confirms it at the start and at the end, but the vendor's libraries wait for nothing after
+/// this form: prefer [`CalibMag`], which names its sensor and is surely confirmed.
 #[message(CMD_CALIB_MAG, outgoing, form = "simple", size = 0, length = 0)]
 pub struct CalibMagSimple {}
 
-/// Calibrates the magnetometer, or does something with its calibration.
+/// Calibrates the magnetometer of a chosen sensor, or resets, copies or switches its calibration.
 ///
-/// If the parameters are valid `CMD_CONFIRM` comes at once, and a second one when the calibration has ended. The
+/// If the parameters are valid the board confirms at once, and again when the calibration has ended. The
 /// motors move nothing: a person turns the sensor in all directions, as the user manual tells, and how long that takes
 /// is up to them. Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress and the error of the heading.
 /// There must be a magnetometer.
@@ -70,8 +73,9 @@ pub struct ImuCalibration {
     pub imu_idx: CalibImu,
     /// What to do.
     pub action: CalibAction,
-    /// How long to take samples, in newer firmware and for the gyroscope only. Older firmware has it reserved; leave
-    /// it zero there and for the other sensors.
+    /// How long to take samples, for the gyroscope only.
+    ///
+    /// Zero, which is about 4 s, is right for the other sensors and for older firmware, where these bytes are reserved.
     pub time_ms: CalibrationTime,
     pub reserved: Reserved<8>,
 }

@@ -8,13 +8,13 @@ use crate::wire::{PerAxis, Reserved, flags};
 
 /// Measures or deletes the correction of cogging, the unevenness of a motor over its turn.
 ///
-/// The gimbal moves. `CMD_CONFIRM` comes at the start, and a second one with data 255 at the end; the second is known from one library
-/// only. How long it takes depends on angles, speeds and iterations. The gimbal has to be prepared as the user manual
-/// tells.
+/// **The gimbal moves.** Prepare it first as the user manual tells. The board confirms at the start, and with data 255 at
+/// the end, which one of the vendor's libraries waits for. How long it takes depends on angles, speeds and iterations;
+/// `CMD_COGGING_CALIB_INFO` seems to report the progress, in a layout that is not published.
 ///
-/// Only newer sources publish this payload; that older firmware with this command uses the same one is likely, not
-/// certain. One library lets its compiler pad each axis to 16 bytes, which makes 60 in all; two others have 57 bytes as
-/// here.
+/// The specification of firmware 2.6x names the command without its payload, which is that of newer documents. One of
+/// the vendor's libraries lets its compiler pad each axis to 16 bytes, which makes 60 in all; the others have 57 bytes
+/// as here.
 #[message(CMD_CALIB_COGGING, outgoing, size = 57, answer = Confirm)]
 pub struct CalibCogging {
     /// What to do.
@@ -22,14 +22,15 @@ pub struct CalibCogging {
     /// For which axes.
     pub axis_to_calibrate: CoggingAxes,
     /// How to do it, for each axis.
+    #[wire(group)]
     pub axes: PerAxis<CoggingAxis>,
-    /// How often to measure.
+    /// How many times each axis is measured.
     #[wire(range = 2..=255)]
     pub iterations_num: u8,
     pub reserved_2: Reserved<9>,
 }
 
-/// How to measure the cogging of one axis.
+/// How the cogging of one axis is measured.
 #[record(size = 15)]
 #[derive(Copy)]
 pub struct CoggingAxis {

@@ -2,47 +2,54 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
-use crate::commands::Confirm;
+use crate::commands::{Confirm, EulerOrder};
 use crate::units::JerkSlope;
 use crate::wire::{PerAxis, Reserved, flags};
 
 /// Sets how [`Control`](super::Control) is handled: timeout, priorities of the ports, filters, confirmations.
 ///
-/// A field of 0 leaves that setting as it is, but for the timeout. All of it is forgotten at a restart and when serial
-/// control ends. It is confirmed on success.
+/// A field of 0 leaves that setting as it is; only the timeout is switched off by 0. Nothing is stored: a restart and
+/// the end of serial control, as by [`Control::release`](super::Control::release), bring the defaults back. The board
+/// confirms the command when it has taken the settings.
 #[message(CMD_CONTROL_CONFIG, outgoing, size = 41, since = "2.61", answer = Confirm)]
 pub struct ControlConfig {
-    /// Serial control ends when no control command comes on any port for this long; 0 is no timeout, the default.
+    /// Serial control ends when no control command comes on any port for this long.
+    ///
+    /// 0, the default after a start, is no timeout. With one, repeat the command even when nothing changes.
     #[wire(unit = "ms")]
     pub timeout_ms: u16,
-    /// Priority of UART1.
+    /// Priority of UART1; 0 leaves it as it is.
     ///
-    /// All priorities are 0 at the start. A control command is taken only from a port with a priority as high as that
-    /// of the others, or higher.
+    /// After a start all priorities are 0 and every port may control. From then on a control command is taken only from
+    /// a port whose priority is at least as high as that of all others.
     pub ch1_priority: u8,
-    /// Priority of the port of the serial receiver, `RC_SERIAL`.
+    /// Priority of the port of the serial receiver, `RC_SERIAL`; 0 leaves it as it is.
     pub ch2_priority: u8,
-    /// Priority of UART2.
+    /// Priority of UART2; 0 leaves it as it is.
     pub ch3_priority: u8,
-    /// Priority of USB; later firmware counts UART3 here too.
+    /// Priority of USB, in later firmware of UART3 too; 0 leaves it as it is.
     pub ch4_priority: u8,
-    /// Priority of the port on which this command comes.
+    /// Priority of the port on which this command comes, whichever that is; 0 leaves it as it is.
     pub this_ch_priority: u8,
     /// Filters and limits of each axis.
+    #[wire(group)]
     pub axes: PerAxis<ControlAxisConfig>,
-    /// Exponential curve of the signal in the mode `Rc`. The default is that of the settings.
+    /// How much the signal's curve bends around the neutral point in the mode `Rc`; 0 leaves it as it is.
+    ///
+    /// The default is that of the parameters.
     #[wire(range = 0..=100)]
     pub rc_expo_rate: u8,
-    /// What else is to be changed.
+    /// Confirmations, servo mode, and how the filters above are meant.
     pub flags: ControlConfigFlags,
-    /// Order of the Euler angles.
+    /// Order of the Euler angles in which angles are given.
     #[wire(since = "2.72b0")]
     pub euler_order: ControlEulerOrder,
-    /// Kept as it came; zero in a new message.
     pub reserved: Reserved<9>,
 }
 
-/// Filters and limits of one axis. 0 leaves each as it is.
+/// Filters and limits of one axis; 0 leaves each as it is.
+///
+/// The filters smooth commands that come at a low rate.
 #[record(size = 7)]
 #[derive(Copy)]
 pub struct ControlAxisConfig {
@@ -52,25 +59,24 @@ pub struct ControlAxisConfig {
     /// Low-pass filter of the speed in the modes `Speed` and `SpeedAngle`. The default is none.
     #[wire(range = 0..=15)]
     pub speed_lpf: u8,
-    /// Low-pass filter of the signal in the mode `Rc`. The default is that of the settings.
+    /// Low-pass filter of the signal in the mode `Rc`. The default is that of the parameters.
     ///
-    /// Newer firmware may take values up to 255 and use it in the mode `RcHighRes` too.
+    /// The vendor's library allows values up to 255, and has it act in the mode `RcHighRes` too.
     #[wire(range = 0..=15)]
     pub rc_lpf: u8,
-    /// Limit of acceleration.
+    /// Limit of acceleration; 0 leaves it as it is.
     #[wire(unit = "deg/s^2", since = "2.70b1")]
     pub acc_limit: u16,
-    /// Time in which an acceleration builds up.
+    /// Time in which an acceleration builds up; 0 leaves it as it is, 1 switches it off.
     #[wire(since = "2.70b8")]
     pub jerk_slope: JerkSlope,
-    /// Kept as it came; zero in a new message.
     pub reserved: Reserved<1>,
 }
 
 flags! {
     /// What a `CMD_CONTROL_CONFIG` changes besides. Spec: `CONTROL_CONFIG_FLAG`.
     pub struct ControlConfigFlags: u16 {
-        /// Control commands are not confirmed. Firmware 2.66b2 and later.
+        /// Control commands are no longer confirmed. Firmware 2.66b2 and later.
         const NO_CONFIRM "CONTROL_CONFIG_FLAG_NO_CONFIRM" = 1 << 0;
         /// Switches servo mode on. Firmware 2.72b0 and later.
         const SERVO_MODE_ENABLE = 1 << 1;
@@ -78,14 +84,15 @@ flags! {
         const SERVO_MODE_DISABLE = 1 << 2;
         /// The low-pass filters have an extended range. Firmware 2.72b3 and later.
         const LPF_EXT_RANGE = 1 << 3;
-        /// The low-pass filters are given as frequencies in Hz. Firmware 2.74.1 and later; in one source only.
+        /// The low-pass filters are given as frequencies in Hz. Firmware 2.74.1 and later; published in
+        /// the vendor's Python library only.
         const LPF_FREQUENCY_HZ = 1 << 4;
     }
 }
 
 /// The order of the Euler angles for control: that of the parameters plus 1. Spec: `EULER_ORDER`.
 ///
-/// The two-axis orders have the names of newer firmware.
+/// [`EulerOrder`] is that of the parameters, and becomes this one by `from`.
 #[open_enum(u8)]
 pub enum ControlEulerOrder {
     /// Not changed.
@@ -103,4 +110,25 @@ pub enum ControlEulerOrder {
     RollPitchMotorYawMotor = 4,
     /// Yaw, roll, pitch.
     YawRollPitch = 5,
+}
+
+impl ControlEulerOrder {
+    /// The order, `None` where it is not changed.
+    ///
+    /// ```
+    /// use sbgc_proto::commands::{ControlEulerOrder, EulerOrder};
+    ///
+    /// assert_eq!(ControlEulerOrder::YawRollPitch.order(), Some(EulerOrder::YawRollPitch));
+    /// assert_eq!(ControlEulerOrder::from(EulerOrder::PitchRollYaw), ControlEulerOrder::PitchRollYaw);
+    /// ```
+    pub fn order(self) -> Option<EulerOrder> {
+        self.raw().checked_sub(1).map(EulerOrder::from_raw)
+    }
+}
+
+impl From<EulerOrder> for ControlEulerOrder {
+    fn from(order: EulerOrder) -> Self {
+        // Orders have four bits.
+        Self::from_raw(order.raw().saturating_add(1))
+    }
 }

@@ -9,11 +9,12 @@ use crate::wire::{PerAxis, flags};
 
 /// Moves the gimbal; only the chosen axes and values are sent.
 ///
-/// It is confirmed as [`Control`](super::Control) is.
+/// The board confirms it as it confirms [`Control`](super::Control), and all that is said there of modes, speeds and
+/// angles holds here.
 ///
-/// Sources differ in how the values of 4 bytes are chosen. Here, as in two of the vendor's libraries, their bit stands in
-/// place of that of the short value, and an axis is there if any of its five bits is set. In another source the short
-/// bit must be set as well, and the other widens the value. With the short bits alone all agree.
+/// How the values of 4 bytes are chosen is not settled. Here, as in the vendor's libraries, their bit stands in place
+/// of that of the short value, and an axis is there if any of its five bits is set. A third-party library sets the
+/// short bit as well, and the other bit widens the value. With the short bits alone all agree.
 ///
 /// ```
 /// use sbgc_proto::Message;
@@ -36,13 +37,13 @@ pub struct ControlExt {
     /// Which values of which axes follow.
     pub data_set: ControlExtDataSet,
     /// The ROLL axis.
-    #[wire(when = !data_set.axes().roll.is_empty(), context = data_set.axes().roll)]
+    #[wire(group, when = !data_set.axes().roll.is_empty(), context = data_set.axes().roll)]
     pub roll: Option<ControlExtAxis>,
     /// The PITCH axis.
-    #[wire(when = !data_set.axes().pitch.is_empty(), context = data_set.axes().pitch)]
+    #[wire(group, when = !data_set.axes().pitch.is_empty(), context = data_set.axes().pitch)]
     pub pitch: Option<ControlExtAxis>,
     /// The YAW axis.
-    #[wire(when = !data_set.axes().yaw.is_empty(), context = data_set.axes().yaw)]
+    #[wire(group, when = !data_set.axes().yaw.is_empty(), context = data_set.axes().yaw)]
     pub yaw: Option<ControlExtAxis>,
 }
 
@@ -81,7 +82,8 @@ pub struct ControlExtAxis {
     pub angle: Option<Angle>,
     /// Angle in finer steps, or over more turns.
     ///
-    /// The step is not settled: "increased resolution" suggests 2^20 a turn, one source has the 2^14 of the short angle.
+    /// The step is not settled: "increased resolution" suggests 2^20 a turn, a remark in the vendor's C library says
+    /// 2^14 as for the short angle.
     #[wire(spec = "ANGLE", when = set.has_long_angle())]
     pub angle_32bit: Option<i32>,
 }

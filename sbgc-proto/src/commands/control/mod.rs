@@ -24,6 +24,7 @@ pub struct ControlLegacy {
     /// How all axes are controlled.
     pub control_mode: ControlMode,
     /// Speed and angle of each axis.
+    #[wire(group)]
     pub axes: PerAxis<ControlAxis>,
 }
 
@@ -61,6 +62,7 @@ pub struct Control {
     /// How each axis is controlled.
     pub control_mode: PerAxis<ControlMode>,
     /// Speed and angle of each axis.
+    #[wire(group)]
     pub axes: PerAxis<ControlAxis>,
 }
 
@@ -248,7 +250,8 @@ impl ControlMode {
     pub const ANGLE_SHORTEST: Self = Self(8);
 
     /// Takes the signal of the mode `Rc` as a speed, and leaves the dead band, trim and inversion of the settings out;
-    /// filter, curve and acceleration limit still apply. For remote control whose direction must not depend on settings.
+    /// filter, curve and acceleration limit still apply. For remote control whose direction must not depend on
+    /// settings.
     ///
     /// The same bit is [`auto_task`](Self::auto_task) in the angle modes. Firmware 2.62b7 and later.
     ///

@@ -1,25 +1,25 @@
-//! Control of the attitude as a whole, by quaternion. All of it is known from newer documents only.
+//! Control of the attitude as a whole, by quaternion: firmware 2.73 and later.
 
-use sbgc_proto_macros::{message, open_enum, record};
+use sbgc_proto_macros::{message, open_enum};
 
-use crate::commands::Confirm;
+use crate::commands::{Confirm, PackedQuaternion};
 use crate::units::{ControlRateLimit, SensorRate};
-use crate::wire::{Bytes, Float, PerXyz, flags};
+use crate::wire::{Float, PerXyz, flags};
 
 /// Turns the camera to an attitude, or at a speed about any axis.
 ///
-/// The board must have [`BoardFeaturesExt2::QUAT_CONTROL`](crate::commands::BoardFeaturesExt2::QUAT_CONTROL). It confirms
-/// the command with [`ControlQuatFlags::CONFIRM`], and once more, with data 1, when the target is reached, with
-/// [`ControlQuatFlags::AUTO_TASK`].
+/// The board must have [`BoardFeaturesExt2::QUAT_CONTROL`](crate::commands::BoardFeaturesExt2::QUAT_CONTROL). It
+/// confirms the command with [`ControlQuatFlags::CONFIRM`], and once more, with data 1, when the target is reached,
+/// with [`ControlQuatFlags::AUTO_TASK`].
 ///
-/// What the mode does not use is left out of the payload. One source is not sure of that; two of the vendor's libraries
-/// do so, but send no packed attitude.
+/// What the mode does not use is left out of the payload, as the vendor's libraries do; they never send a packed
+/// attitude.
 #[message(CMD_CONTROL_QUAT, outgoing, size = 2..=30, since = "2.73.0")]
 #[derive(Copy)]
 pub struct ControlQuat {
-    /// What is controlled.
+    /// Whether the attitude is controlled, the speed, or both.
     pub mode: ControlQuatMode,
-    /// How.
+    /// How the command is confirmed, and how the attitude is meant.
     pub flags: ControlQuatFlags,
     /// The attitude as w, x, y, z, of length 1.
     #[wire(when = mode.has_attitude() && !flags.contains(ControlQuatFlags::ATTITUDE_PACKED))]
@@ -125,14 +125,16 @@ flags! {
 #[message(CMD_CONTROL_QUAT_STATUS, outgoing, size = 4, since = "2.73.0", answer = ControlQuatStatus)]
 #[derive(Copy)]
 pub struct ControlQuatStatusRequest {
-    /// What is asked for.
+    /// Which parts the answer shall have.
     pub data_set: ControlQuatStatusDataSet,
 }
 
 /// The state of control by quaternion.
 ///
-/// Quaternions are w, x, y, z. One source has two bytes in place of the four of the data set; here are those of the
-/// others. For the speeds one source has the unit that is taken here, an example of another twice that.
+/// Quaternions are w, x, y, z.
+///
+/// Two things are not settled: the vendor's Python library reads two bytes of data set in place of these four, and an
+/// example of the vendor's C library takes the steps of the speeds for twice of what they are here.
 #[message(CMD_CONTROL_QUAT_STATUS, incoming, size = 4..=97, since = "2.73.0")]
 #[derive(Copy)]
 pub struct ControlQuatStatus {
@@ -141,7 +143,7 @@ pub struct ControlQuatStatus {
     /// What is controlled.
     #[wire(when = data_set.contains(ControlQuatStatusDataSet::MODE))]
     pub mode: Option<ControlQuatMode>,
-    /// How; in two bytes here.
+    /// The flags of the last [`ControlQuat`], in two bytes here.
     #[wire(when = data_set.contains(ControlQuatStatusDataSet::MODE))]
     pub flags: Option<ControlQuatStatusFlags>,
     /// The attitude that was commanded.
@@ -249,77 +251,4 @@ flags! {
         /// Each component has a profile of its own.
         const MOTION_PROFILE_SPLIT_XYZ = 1 << 0;
     }
-}
-
-/// A quaternion of length 1 in 64 bits: its largest component is left out and follows from the others. Spec:
-/// `QUAT_PACKED`.
-///
-/// The three others have 20 bits each from bit 0 on, the last of them the sign; bits 60 and 61 say which is left out,
-/// bit 62 is its sign. That is from comments in one of the vendor's libraries; that the components are counted in the
-/// order w, x, y, z is taken from the quaternions that are not packed. Neither is confirmed by a second source.
-#[record]
-#[derive(Copy)]
-pub struct PackedQuaternion(pub Bytes<8>);
-
-impl PackedQuaternion {
-    /// Steps of a component: the greatest of those that are kept is the square root of 1/2.
-    const STEPS: f64 = 741_453.785_975_902_9;
-
-    /// The quaternion w, x, y, z.
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_precision_loss,
-        reason = "a float holds the 19 bits of a component"
-    )]
-    pub fn unpack(self) -> [f32; 4] {
-        let bits = u64::from_le_bytes(self.0.0);
-        let signed = |value: f64, negative: u64| if negative == 0 { value } else { -value };
-        let mut squares = 0.0;
-        let mut kept = [0, 20, 40].into_iter().map(|shift| {
-            let value = (bits >> shift & 0x7_FFFF) as f64 / Self::STEPS;
-            squares += value * value;
-            signed(value, bits >> shift & 0x8_0000) as f32
-        });
-        let largest = bits >> 60 & 3;
-        let quaternion = [0, 1, 2, 3].map(|index| if index == largest { None } else { kept.next() });
-        let left_out = signed(square_root(1.0 - squares), bits >> 62 & 1) as f32;
-        quaternion.map(|component| component.unwrap_or(left_out))
-    }
-
-    /// Packs a quaternion w, x, y, z of length 1.
-    #[must_use]
-    pub fn pack(quaternion: [f32; 4]) -> Self {
-        let mut largest = (0, 0.0_f32);
-        for (index, component) in (0_u64..).zip(quaternion) {
-            if component.abs() > largest.1.abs() {
-                largest = (index, component);
-            }
-        }
-        let mut bits = largest.0 << 60 | u64::from(largest.1 < 0.0) << 62;
-        let mut shift = 0;
-        for (index, component) in (0_u64..).zip(quaternion) {
-            if index != largest.0 {
-                let steps = f64::from(component.abs()) * Self::STEPS + 0.5;
-                #[allow(
-                    clippy::cast_possible_truncation,
-                    clippy::cast_sign_loss,
-                    reason = "the cast rounds, and saturates what is not of length 1"
-                )]
-                let magnitude = (steps as u64).min(0x7_FFFF);
-                bits |= (magnitude | u64::from(component < 0.0) << 19) << shift;
-                shift += 20;
-            }
-        }
-        Self(Bytes(bits.to_le_bytes()))
-    }
-}
-
-/// The square root of a number from 1/4 to 1, which is what is left for the largest of four components; 0 for less than
-/// nothing.
-fn square_root(square: f64) -> f64 {
-    if square <= 0.0 {
-        return 0.0;
-    }
-    // Newton's method doubles the digits each time.
-    (0..6).fold(1.0, |root, _| f64::midpoint(root, square / root))
 }

@@ -21,9 +21,9 @@ pub struct AhrsHelperRequest {
     pub h_vect: PerXyz<Float>,
 }
 
-/// The same for older firmware, with a mode of one byte.
+/// Gives firmware before 2.69b5 an attitude from outside, or asks for its own: the mode has one byte.
 ///
-/// For firmware before 2.69b5. All else is as with [`AhrsHelperRequest`].
+/// All else is as with [`AhrsHelperRequest`].
 #[message(CMD_AHRS_HELPER, outgoing, form = "mode1u", size = 25, length = 25)]
 pub struct AhrsHelperLegacyRequest {
     /// What to do, with which sensor.
@@ -64,8 +64,8 @@ pub struct AhrsHelper {
 
 /// The attitude of a sensor as it may come in a data stream.
 ///
-/// The vendor's libraries expect 26 bytes there in place of 24, and no source says what the two more are nor where they
-/// stand. So these bytes stay as they came.
+/// The vendor's libraries expect 26 bytes there in place of 24, and neither what the two more are nor where they
+/// stand is published. So these bytes stay as they came.
 #[message(CMD_AHRS_HELPER, incoming, form = "stream", size = 26, length = 26)]
 pub struct AhrsHelperStream {
     /// The payload.

@@ -13,14 +13,14 @@ pub struct ExtImuDebugInfoRequest {}
 
 /// What the external inertial sensor tells.
 ///
-/// One source calls it a notification, so it may come without being asked for, too.
+/// It may also come without being asked for: newer documents call it a notification.
 #[message(CMD_EXT_IMU_DEBUG_INFO, incoming, size = 74, since = "2.66")]
 pub struct ExtImuDebugInfo {
     /// State of the estimate of attitude.
     pub ahrs_debug_info: AhrsDebugInfo,
     /// Rotation matrix that came from the sensor, in coordinates East, North, down.
     ///
-    /// The order is not stated; row after row according to one source.
+    /// The order is not stated; a third-party library has it row after row.
     #[wire(range = -1.0..=1.0)]
     pub dcm: [Float; 9],
     /// Linear acceleration without gravity, in the sensor's own coordinates. The unit is not stated.
@@ -49,8 +49,8 @@ pub struct ExtImuCmd<'a> {
 
 /// Passes a message on to a GPS_IMU, on boards of the extended family.
 ///
-/// If the sensor answers, that comes as [`ExtSensCmd`]. One library's remark leaves out the flags; its own code and the
-/// other sources have them.
+/// If the sensor answers, that comes as [`ExtSensCmd`]. A remark in one of the vendor's libraries leaves out the
+/// flags; its own code and the other libraries have them.
 #[message(CMD_EXT_SENS_CMD, outgoing, size = 2..=255, since = "2.68b7")]
 pub struct ExtSensCmdRequest<'a> {
     /// How to pass it on.
@@ -61,7 +61,9 @@ pub struct ExtSensCmdRequest<'a> {
     pub data: &'a [u8],
 }
 
-/// A message from a GPS_IMU, on boards of the extended family. In this direction there are no flags.
+/// A message from a GPS_IMU, on boards of the extended family.
+///
+/// In this direction there are no flags.
 #[message(CMD_EXT_SENS_CMD, incoming, size = 1..=255, since = "2.68b7")]
 pub struct ExtSensCmd<'a> {
     /// Command of the sensor's own protocol.

@@ -11,8 +11,8 @@ use crate::wire::{PerXyz, Reserved, bit_enums, bit_fields};
 /// With the angular speed it should come up to 125 times a second. Neither confirmed nor answered.
 ///
 /// To test on the bench, set the parameter ACC LPF to 5 to 10 Hz and watch `IMU_G_ERR` of the real-time data: without
-/// this command shaking the gimbal raises it, with correct accelerations it stays near zero, however the frame is turned
-/// and however the camera stands to it. At rest and when tilted slowly the acceleration must be near zero.
+/// this command shaking the gimbal raises it, with correct accelerations it stays near zero, however the frame is
+/// turned and however the camera stands to it. At rest and when tilted slowly the acceleration must be near zero.
 #[message(CMD_HELPER_DATA, outgoing, form = "extended", size = 20, since = "2.60")]
 pub struct HelperData {
     /// Linear acceleration of the frame, without gravity, in the system that `flags` chooses.
@@ -34,7 +34,7 @@ pub struct HelperData {
     pub reserved: Reserved<1>,
 }
 
-/// The same for older firmware: acceleration and inclination.
+/// Says how the frame moves, to firmware before 2.60: acceleration and inclination.
 ///
 /// For firmware before 2.60. All else is as with [`HelperData`]. The system of coordinates is the ground, rotated with
 /// the camera.

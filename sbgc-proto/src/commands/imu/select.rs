@@ -16,11 +16,10 @@ pub struct SelectImu3 {
     pub imu_type: ImuType,
 }
 
-/// Chooses a sensor and does something with its calibration, in newer firmware.
+/// Chooses a sensor and calibrates it, or resets, copies or switches its calibration, in newer firmware.
 ///
-/// Sources disagree on the length, 11 or 12 bytes, which leaves the reserved bytes open: 7 by a library's own note and
-/// another library, 8 by the first one's code. Better use [`SelectImu3`] with
-/// [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro) or
+/// The vendor's libraries disagree on the length, 11 or 12 bytes, which leaves 7 or 8 bytes reserved; both are taken.
+/// Better use [`SelectImu3`] with [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro) or
 /// [`CalibMag`](crate::commands::CalibMag), which do the same.
 #[message(CMD_SELECT_IMU_3, outgoing, form = "extended", size = 11..=12, length = 11.., answer = Confirm)]
 pub struct SelectImu3Extended<'a> {

@@ -31,6 +31,7 @@ pub struct Params3 {
     /// Whose parameters these are.
     pub profile_id: ProfileId,
     /// Motor and controller of each axis.
+    #[wire(group)]
     pub motors: PerAxis<MotorTuning>,
     /// Limit of acceleration for all axes, 0 for none.
     ///
@@ -38,10 +39,11 @@ pub struct Params3 {
     pub acc_limiter_all: AccelerationLimit,
     /// Gain of the flight controller's signals in the stabilization, for ROLL and for PITCH.
     ///
-    /// Two bytes: one source that reads three pairs is wrong, the whole block has 134 bytes.
+    /// There are two bytes, as the size of the whole block proves; software that reads three pairs is wrong.
     #[wire(range = -127..=127)]
     pub ext_fc_gain: [i8; 2],
     /// How remote control moves each axis.
+    #[wire(group)]
     pub rc: PerAxis<RcAxis>,
     /// How much the gyroscope is trusted against the accelerometer.
     pub gyro_trust: u8,

@@ -32,6 +32,7 @@ pub struct ParamsExt {
     /// Whose parameters these are.
     pub profile_id: ProfileId,
     /// The notch filters of each axis.
+    #[wire(group)]
     pub notch_filters: PerAxis<NotchFilters>,
     /// Where the low-pass filter of each axis cuts off, at -3 dB.
     #[wire(unit = "Hz", range = 0..=1000)]
@@ -48,7 +49,6 @@ pub struct ParamsExt {
     pub motor_heating_factor: PerAxis<u8>,
     /// How fast the motor cools down, in the model of its temperature.
     pub motor_cooling_factor: PerAxis<u8>,
-    /// Kept.
     pub reserved: Reserved<2>,
     /// Inner dead band of follow mode.
     pub follow_inside_deadband: u8,
@@ -87,8 +87,8 @@ pub struct ParamsExt {
     pub encoder_cfg: PerAxis<EncoderConfig>,
     /// Proportional term of the outer loop, which works on the angle.
     pub outer_p: PerAxis<u8>,
-    /// Integral term of the outer loop. One newer source calls these bytes reserved; the vendor's library has the
-    /// term.
+    /// Integral term of the outer loop, as the vendor's library has it; newer specifications may have these bytes
+    /// reserved.
     pub outer_i: PerAxis<u8>,
     /// Which axis of the magnetometer points up.
     pub mag_axis_top: AxisOrientation,

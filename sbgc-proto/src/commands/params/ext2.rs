@@ -35,6 +35,7 @@ pub struct ParamsExt2 {
     /// Whose parameters these are.
     pub profile_id: ProfileId,
     /// The two channels that speak MavLink.
+    #[wire(group)]
     pub mav_channels: [MavChannel; 2],
     /// Strength of the link between the motor's rotor and stator.
     #[wire(range = 0..=65000)]
@@ -111,8 +112,10 @@ pub struct ParamsExt2 {
     #[wire(since = "2.66")]
     pub force_position_cfg: PerAxis<ForcePosition>,
     /// The six step signals.
+    #[wire(group)]
     pub step_signals: [StepSignal; 6],
     /// Calibrations of five signals.
+    #[wire(group)]
     pub rc_calibs: [RcCalibration; 5],
     /// Where the gimbal parks.
     #[wire(since = "2.66")]
@@ -164,7 +167,6 @@ pub struct MavChannel {
     pub mav_comp_id: u8,
     /// How the port and the channel work.
     pub mav_cfg_flags: MavConfig,
-    /// Kept.
     pub mav_reserved: Reserved<4>,
 }
 

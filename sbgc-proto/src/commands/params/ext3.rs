@@ -35,7 +35,6 @@ pub struct WriteParamsExt3(pub ParamsExt3);
 pub struct ParamsExt3 {
     /// Whose parameters these are.
     pub profile_id: ProfileId,
-    /// Kept.
     pub reserved: Reserved<21>,
     /// Model of the external IMU.
     pub ext_imu_type: ExtImuType,
@@ -46,18 +45,17 @@ pub struct ParamsExt3 {
     /// How the external IMU is mounted: which of its axes points up and which to the right, each as an index into X,
     /// Y, Z, -X, -Y, -Z.
     ///
-    /// The raw byte, since sources disagree on how it is divided: the specification says 4 bits for up and then 3 for
-    /// right, the vendor's library says 3 and 3.
+    /// The byte is raw here, for its division is not settled: the specification has 4 bits for up and then 3 for right,
+    /// the vendor's library 3 and 3.
     pub ext_imu_orientation: u8,
     /// How the external IMU is used.
     pub ext_imu_flags: ExtImuFlags,
-    /// Correction of how the external IMU is mounted. Newer firmware, in one source only.
+    /// Correction of how the external IMU is mounted. Newer firmware.
     pub ext_imu_align_correction: PerAxis<i16>,
-    /// How long the external IMU takes to start. Newer firmware, in one source only.
+    /// How long the external IMU takes to start. Newer firmware.
     pub ext_imu_startup_delay: u8,
-    /// How fast the external IMU corrects the gyroscope. Newer firmware, in one source only.
+    /// How fast the external IMU corrects the gyroscope. Newer firmware.
     pub ext_imu_gyro_corr_rate: u8,
-    /// Kept.
     pub ext_imu_reserved: Reserved<4>,
     /// Width of each axis' soft limits, which `FRAME_CAM_ANGLE_MIN` and `_MAX` in [`ParamsExt2`](super::ParamsExt2)
     /// set.
@@ -77,7 +75,6 @@ pub struct ParamsExt3 {
     pub power_ctrl_power_off_delay: Delay,
     /// How the power control limits the current when it switches on.
     pub power_ctrl_power_on_limiter: u8,
-    /// Kept.
     pub power_ctrl_reserved: Reserved<4>,
     /// Quality of each axis' low-pass filter.
     pub lpf_q_inv: PerAxis<InverseQuality>,
@@ -85,7 +82,6 @@ pub struct ParamsExt3 {
     pub can_imu_ext_sens_type: CanImuSensor,
     /// Settings of this profile.
     pub profile_flags2: ProfileFlags2,
-    /// Kept.
     pub reserved3: Reserved<3>,
     /// Settings that all profiles share.
     pub general_flags3: GeneralFlags3,
@@ -99,7 +95,7 @@ pub struct ParamsExt3 {
     pub imu_model_main: u8,
     /// Model of the frame IMU.
     pub imu_model_frame: u8,
-    /// Threshold of each axis' stabilization. No source gives its unit.
+    /// Threshold of each axis' stabilization. The unit is not published.
     #[wire(range = 15..=80)]
     pub stab_threshold_angle: PerAxis<u8>,
     /// The pin of an external buzzer.
@@ -121,7 +117,7 @@ pub struct ParamsExt3 {
     /// The profile that is active at start.
     #[wire(range = 0..=4)]
     pub default_profile: ProfileId,
-    /// Angle of each motor in the retracted position. No source gives its unit.
+    /// Angle of each motor in the retracted position. The unit is not published.
     pub retracted_angle: PerAxis<i16>,
     /// Amplitude of the shake generator on ROLL, TILT and PAN, on a logarithmic scale.
     pub shake_amplitude: [u8; 3],
@@ -151,7 +147,6 @@ pub struct ParamsExt3 {
     /// Shift of frequencies on ROLL, TILT and PAN, on a logarithmic scale from 1/3 to 3.
     #[wire(range = -127..=127)]
     pub shake_freq_shift: [i8; 3],
-    /// Kept.
     pub shake_reserved: Reserved<5>,
     /// Ids on the CAN bus of the drivers of auxiliary motors 1 to 7.
     pub ext_motor_drv_ids: [u8; 7],
@@ -177,8 +172,7 @@ pub struct ParamsExt3 {
     pub ext_pwr_sw_shunt_r: ShuntResistance,
     /// Settings that all profiles share.
     pub general_flags4: GeneralFlags4,
-    /// How long automated motion may take. In one source only.
+    /// How long automated motion may take. The unit is not published.
     pub auto_motion_timeout: u8,
-    /// Kept.
     pub reserved4: Reserved<48>,
 }

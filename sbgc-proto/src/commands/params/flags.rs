@@ -43,7 +43,7 @@ flags! {
 flags! {
     /// Settings of a profile, first set. Spec: `PROFILE_FLAGS1`.
     ///
-    /// No source lists bit 3.
+    /// Bit 3 has no published meaning.
     pub struct ProfileFlags1: u16 {
         /// Analog input 1 finds out by itself whether something is connected.
         const ADC1_AUTO_DETECTION = 1 << 0;
@@ -73,9 +73,9 @@ flags! {
         const OUTER_MOTOR_LIMIT_FREE_ROTATION = 1 << 13;
         /// The order of Euler angles is chosen by itself. Firmware 2.67b1 and later.
         ///
-        /// One newer source calls this bit `GIMBAL_LOCK_SMOOTH_TRANSITION`; perhaps it was renamed.
+        /// A newer list calls this bit `GIMBAL_LOCK_SMOOTH_TRANSITION`; perhaps it was renamed.
         const EULER_ORDER_AUTO = 1 << 14;
-        /// The camera works upside down. Newer firmware, in one source only.
+        /// The camera works upside down. Newer firmware.
         const CAM_UPSIDE_DOWN_WORKING = 1 << 15;
     }
 }
@@ -155,7 +155,7 @@ flags! {
 flags! {
     /// What automatic tuning of the controllers does. Spec: `AUTO_PID_CFG`.
     ///
-    /// The specification shows bits 0, 1 and 3 only; the others are those of all newer sources.
+    /// The specification shows bits 0, 1 and 3 only; the others are those of newer documents.
     pub struct AutoPidFlags: u8 {
         /// It tunes ROLL.
         const ROLL "AUTO_PID_CFG_ROLL" = 1 << 0;

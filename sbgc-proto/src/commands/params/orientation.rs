@@ -68,18 +68,24 @@ bit_fields! {
 
 /// The order of rotations of Euler angles. Spec: `EULER_ORDER`.
 ///
-/// The specification names 2, 3 and 5 in its table of parameters; its list of adjustable variables and newer sources
-/// have other names for 2 and 3, with an M at the axes that belong to a motor, and no 5.
+/// Where an axis is called a motor's, the rotation is about the axis of that motor wherever it points. The control
+/// commands have the same orders plus 1, for 0 means something else there: see
+/// [`ControlEulerOrder`](crate::commands::ControlEulerOrder).
+///
+/// The specification's table of parameters calls 2 and 3 `LOCAL_ROLL` and `ROLL_LOCAL`, for systems of two axes, and
+/// lists 5. Its list of adjustable variables and newer documents have the motor axes, and no 5.
 #[open_enum(u8)]
 pub enum EulerOrder {
     /// PITCH, ROLL, YAW.
     PitchRollYaw = 0,
     /// ROLL, PITCH, YAW.
     RollPitchYaw = 1,
-    /// PITCH(M), ROLL, YAW(M) for newer firmware; before, local ROLL in systems of two axes.
-    LocalRoll = 2,
-    /// ROLL, PITCH(M), YAW(M) for newer firmware; before, ROLL and local in systems of two axes.
-    RollLocal = 3,
+    /// PITCH of the motor, ROLL, YAW of the motor; in old firmware local ROLL, for systems of two axes.
+    #[wire(spec = "LOCAL_ROLL")]
+    PitchMotorRollYawMotor = 2,
+    /// ROLL, PITCH of the motor, YAW of the motor; in old firmware ROLL and local, for systems of two axes.
+    #[wire(spec = "ROLL_LOCAL")]
+    RollPitchMotorYawMotor = 3,
     /// YAW, ROLL, PITCH.
     YawRollPitch = 4,
     /// YAW, PITCH, ROLL. Newer firmware does not list it.

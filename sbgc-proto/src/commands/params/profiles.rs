@@ -27,8 +27,8 @@ pub struct WriteProfileNames(pub ProfileNames);
 
 /// Resets the parameters of a profile to those of the factory, or all of the EEPROM.
 ///
-/// Whether the board confirms it is not settled: the vendor's library does not wait for it, another source lists
-/// `CMD_CONFIRM`.
+/// Whether the board confirms it is not settled: the specification does not say, and the vendor's library does not wait
+/// for it. Take a `CMD_CONFIRM` if it comes, and do not depend on it.
 #[message(CMD_USE_DEFAULTS, outgoing, size = 1)]
 pub struct UseDefaults {
     /// Which profile: [`ResetCurrent`](ProfileId::ResetCurrent) is the active one and
@@ -45,7 +45,6 @@ pub struct ProfileSet {
     pub slot: ProfileSetSlot,
     /// What is done with it.
     pub action: ProfileSetAction,
-    /// Kept.
     pub reserved: Reserved<8>,
 }
 

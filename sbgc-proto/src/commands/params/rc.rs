@@ -52,7 +52,7 @@ pub enum RcVirtMode {
 bit_fields! {
     /// How a signal of the flight controller is mixed into a control signal.
     ///
-    /// The specification's own words break off; the split into 6 and 2 bits is that of all newer sources.
+    /// The split into 6 and 2 bits is that of newer documents; copies of the older specification break off there.
     pub struct FcMix: u8 {
         /// How much of it, 0 to 63.
         0..=5 => rate / with_rate "RATE": u8,

@@ -64,7 +64,7 @@ fn block_3_has_its_fields_in_place() {
     assert_eq!(params.follow_lpf.yaw, 124);
     assert_eq!(params.general_flags1.bits(), 0x7E7D);
     assert_eq!(params.profile_flags1.bits(), 0x807F);
-    assert_eq!(params.euler_order.order(), EulerOrder::RollLocal);
+    assert_eq!(params.euler_order.order(), EulerOrder::RollPitchMotorYawMotor);
     assert_eq!(params.cur_imu, ImuType::Unknown(132));
     assert_eq!(params.cur_profile_id, ProfileId::Unknown(133));
 

@@ -14,6 +14,7 @@ pub struct GetAngles {}
 #[derive(Copy)]
 pub struct Angles {
     /// Each axis.
+    #[wire(group)]
     pub axes: PerAxis<AxisAngles>,
 }
 
@@ -38,6 +39,7 @@ pub struct GetAnglesExt {}
 #[derive(Copy)]
 pub struct AnglesExt {
     /// Each axis.
+    #[wire(group)]
     pub axes: PerAxis<AxisAnglesExt>,
 }
 
@@ -51,7 +53,7 @@ pub struct AxisAnglesExt {
     pub target_angle: Angle,
     /// How far the joint is turned; 0 is its normal position. It does not jump after a full turn.
     ///
-    /// Newer sources call it FRAME_CAM_ANGLE.
+    /// Newer documents call it FRAME_CAM_ANGLE.
     pub stator_rotor_angle: LongAngle,
     pub reserved: Reserved<10>,
 }

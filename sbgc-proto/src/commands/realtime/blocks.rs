@@ -127,6 +127,7 @@ pub enum ExtImuStatus {
 #[derive(Copy)]
 pub struct SystemPowerState {
     /// Each motor.
+    #[wire(group)]
     pub axes: PerAxis<MotorPower>,
     /// Whether the motors have power.
     pub system_power_state: PowerState,
@@ -184,15 +185,15 @@ pub struct SystemStateBlock {
 
 /// State of the main IMU. Spec: `MAIN_IMU_STATE`.
 ///
-/// Known from one newer source only, without units or the names of flags.
+/// Published in the vendor's Python library only, without units or the names of flags.
 #[record(size = 11)]
 #[derive(Copy)]
 pub struct MainImuState {
-    /// How far gravity is off its reference.
+    /// How far gravity is off its reference, in a unit that is not published.
     pub g_ref_err: u8,
-    /// How far the heading is off its reference.
+    /// How far the heading is off its reference, in a unit that is not published.
     pub h_ref_err: u8,
-    /// Flags that no source names.
+    /// Flags, whose meaning is not published.
     pub flags: u8,
     /// Error of the external sensor.
     pub ext_sens_err: u8,

@@ -6,8 +6,9 @@ use super::{
     AhrsDebugInfo, CommErrors, LimitDistances, MainImuState, Motor4Control, SystemPowerState,
     SystemStateBlock,
 };
+use crate::commands::PackedQuaternion;
 use crate::units::{Acceleration, Angle, EncoderAngle, FineAngle, LongAngle, RcSignal, SensorRate};
-use crate::wire::{Bytes, Float, FromWire, Layout, PerAxis, PerXyz, Reserved, ToWire, Writer, flags};
+use crate::wire::{Float, FromWire, Layout, PerAxis, PerXyz, Reserved, ToWire, Writer, flags};
 use crate::{DecodeError, Message, OutOfRange};
 
 use self::RealtimeDataCustomFlags as Flags;
@@ -96,11 +97,11 @@ flags! {
         const FOLLOW_DIST = 1 << 26;
         /// Limits of the target angles, firmware 2.73.8 and later.
         const EXT_TARGET_LIMIT = 1 << 27;
-        /// How far the joints are turned, in fine steps. Known from one newer source only.
+        /// How far the joints are turned, in fine steps. Published in the vendor's Python library only.
         const FRAME_CAM_ANGLE_20 = 1 << 28;
-        /// State of the main IMU. Known from one newer source only.
+        /// State of the main IMU. Published in the vendor's Python library only.
         const MAIN_IMU_STATE = 1 << 29;
-        /// These flags again, before all the rest. Known from one newer source only.
+        /// These flags again, before all the rest. Published in the vendor's Python library only.
         const INCLUDE_FLAGS = 1 << 31;
     }
 }
@@ -157,7 +158,7 @@ pub struct RealtimeDataCustom {
     /// How fast it should turn. [`Angles`](super::Angles) has the same in twice this step.
     #[wire(when = selection.contains(Flags::TARGET_SPEED))]
     pub target_speed: Option<PerAxis<SensorRate>>,
-    /// How far the joints are turned. Newer sources call it FRAME_CAM_ANGLE.
+    /// How far the joints are turned. Newer documents call it FRAME_CAM_ANGLE.
     #[wire(when = selection.contains(Flags::STATOR_ROTOR_ANGLE))]
     pub stator_rotor_angle: Option<PerAxis<Angle>>,
     /// Gyroscope, with the calibrations applied.
@@ -214,15 +215,15 @@ pub struct RealtimeDataCustom {
     /// What the system does.
     #[wire(when = selection.contains(Flags::SYSTEM_STATE), since = "2.73")]
     pub system_state: Option<SystemStateBlock>,
-    /// Attitude of the camera as a compressed quaternion, whose packing no source at hand describes.
+    /// Attitude of the camera as a quaternion.
     #[wire(when = selection.contains(Flags::IMU_QUAT), since = "2.73")]
-    pub imu_quat: Option<Bytes<8>>,
-    /// Target attitude as a compressed quaternion.
+    pub imu_quat: Option<PackedQuaternion>,
+    /// Target attitude as a quaternion.
     #[wire(when = selection.contains(Flags::TARGET_QUAT), since = "2.73")]
-    pub target_quat: Option<Bytes<8>>,
-    /// Rotation from IMU to frame as a compressed quaternion.
+    pub target_quat: Option<PackedQuaternion>,
+    /// Rotation from IMU to frame as a quaternion.
     #[wire(when = selection.contains(Flags::IMU_TO_FRAME_QUAT), since = "2.73")]
-    pub imu_to_frame_quat: Option<Bytes<8>>,
+    pub imu_to_frame_quat: Option<PackedQuaternion>,
     /// Analog inputs 1 to 4, each the mean of 8 ms.
     #[wire(when = selection.contains(Flags::ADC_CH_RAW), range = 0..=4096, since = "2.73")]
     pub adc_ch_raw: Option<[u16; 4]>,
@@ -238,7 +239,7 @@ pub struct RealtimeDataCustom {
     /// Upper limits of the target angles.
     #[wire(when = selection.contains(Flags::EXT_TARGET_LIMIT), since = "2.73.8")]
     pub ext_target_limit_max: Option<PerAxis<LongAngle>>,
-    /// How far the joints are turned, in fine steps. The source does not state the unit; it is taken from the name.
+    /// How far the joints are turned, in fine steps. The unit is taken from the name, for it is not stated.
     #[wire(when = selection.contains(Flags::FRAME_CAM_ANGLE_20))]
     pub frame_cam_angle_20: Option<PerAxis<FineAngle>>,
     /// State of the main IMU.

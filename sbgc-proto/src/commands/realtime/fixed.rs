@@ -7,7 +7,9 @@ use crate::commands::{ImuType, ProfileId};
 use crate::units::{Acceleration, Angle, AttitudeError, SensorRate, Voltage};
 use crate::wire::{PerAxis, PerXyz, Reserved};
 
-/// Asks for real-time data by the old id. The answer has another: it is [`RealtimeData3`].
+/// Asks for real-time data by the old id.
+///
+/// The answer has another: it is [`RealtimeData3`].
 #[message(CMD_REALTIME_DATA, outgoing, size = 0, answer = RealtimeData3)]
 pub struct RealtimeDataRequest {}
 
@@ -20,6 +22,7 @@ pub struct RealtimeData3Request {}
 #[derive(Copy)]
 pub struct RealtimeData3 {
     /// Sensors of each axis.
+    #[wire(group)]
     pub axes: PerAxis<SensorAxis>,
     /// Errors of the serial connection since the start.
     pub serial_err_cnt: u16,
@@ -91,10 +94,11 @@ pub struct RealtimeData4Request {}
 #[derive(Copy)]
 pub struct RealtimeData4 {
     /// The shorter message.
+    #[wire(group)]
     pub realtime_data_3: RealtimeData3,
     /// How far each joint is turned, by encoder, second IMU or otherwise; 0 is its normal position.
     ///
-    /// Newer sources call it FRAME_CAM_ANGLE.
+    /// Newer documents call it FRAME_CAM_ANGLE.
     pub stator_rotor_angle: PerAxis<Angle>,
     pub reserved_1: Reserved<1>,
     /// How much each motor has to hold: 0 when balanced, 512 when it takes all its power.

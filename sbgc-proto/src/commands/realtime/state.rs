@@ -378,9 +378,9 @@ flags! {
         const SW_LIMIT_VIOLATED = 1 << 0;
         /// Something is getting too hot.
         const OVERHEAT_WARNING = 1 << 1;
-        /// A driver warns that it is too hot. Known from one source only.
+        /// A driver warns that it is too hot. Newer firmware.
         const DRIVER_OTW = 1 << 2;
-        /// A driver has a fault. Known from one source only.
+        /// A driver has a fault. Newer firmware.
         const DRIVER_FAULT = 1 << 3;
     }
 }

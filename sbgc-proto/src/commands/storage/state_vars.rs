@@ -6,7 +6,9 @@ use crate::commands::{Confirm, SystemSubError};
 use crate::units::PeakAcceleration;
 use crate::wire::{Float, Reserved};
 
-/// Asks for the state that outlives a restart. Only boards of the extended family have it.
+/// Asks for the state that outlives a restart.
+///
+/// Only boards of the extended family have it.
 #[message(CMD_READ_STATE_VARS, outgoing, size = 0, since = "2.68b7", answer = StateVars)]
 pub struct ReadStateVars {}
 
@@ -27,7 +29,7 @@ pub struct StateVars {
     /// The greatest current so far.
     #[wire(unit = "mA")]
     pub max_current: u16,
-    /// The lowest temperature of the inertial measurement unit. All sources have this and the other temperatures
+    /// The lowest temperature of the inertial measurement unit. All documents have this and the other temperatures
     /// unsigned, so how one below zero is shown is not known.
     #[wire(unit = "degC")]
     pub imu_temp_min: u8,
@@ -57,6 +59,8 @@ pub struct StateVars {
     pub reserved: Reserved<152>,
 }
 
-/// Writes back the state that outlives a restart. Read it first and change what is needed; the board confirms it.
+/// Writes back the state that outlives a restart.
+///
+/// Read it first and change what is needed; the board confirms it.
 #[message(CMD_WRITE_STATE_VARS, outgoing, size = 192, since = "2.68b7", answer = Confirm)]
 pub struct WriteStateVars(pub StateVars);

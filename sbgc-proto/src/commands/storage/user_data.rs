@@ -16,6 +16,8 @@ pub struct ExternalData {
     pub data: Bytes<128>,
 }
 
-/// Stores the user's data in the EEPROM. The board confirms it.
+/// Stores the user's data in the EEPROM.
+///
+/// The board confirms it.
 #[message(CMD_WRITE_EXTERNAL_DATA, outgoing, size = 128, answer = Confirm)]
 pub struct WriteExternalData(pub ExternalData);

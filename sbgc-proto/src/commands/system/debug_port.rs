@@ -6,7 +6,9 @@ use crate::CommandId;
 use crate::commands::Confirm;
 use crate::wire::{Reserved, bit_fields, flags};
 
-/// Has the board send a copy of what goes over its other ports, or stop that. The board confirms it.
+/// Has the board send a copy of what goes over its other ports, or stop that.
+///
+/// The board confirms it.
 #[message(CMD_SET_DEBUG_PORT, outgoing, size = 16, since = "2.66b4", answer = Confirm)]
 pub struct SetDebugPortRequest {
     /// What to do.
@@ -16,7 +18,9 @@ pub struct SetDebugPortRequest {
     pub reserved: Reserved<11>,
 }
 
-/// A message that went over another port. Only such as were intact are sent.
+/// A message that went over another port.
+///
+/// Only such as were intact are sent.
 ///
 /// What the board does with a payload too long for the 251 bytes that are left for it is not known.
 #[message(CMD_SET_DEBUG_PORT, incoming, size = 4..=255, since = "2.66b4")]

@@ -25,7 +25,9 @@ pub struct SignMessage {
 #[message(CMD_PASS_PROTECT_READ, outgoing, size = 0, since = "2.73.6", answer = PassProtectRead)]
 pub struct PassProtectReadRequest {}
 
-/// What the password protects. Known from one source only, the vendor's Python library.
+/// What the password protects.
+///
+/// Published in the vendor's Python library only.
 #[message(CMD_PASS_PROTECT_READ, incoming, size = 8, since = "2.73.6")]
 pub struct PassProtectRead {
     /// What is protected.
@@ -33,9 +35,11 @@ pub struct PassProtectRead {
     pub reserved: Reserved<4>,
 }
 
-/// Sets what the password protects, and the password. The board confirms it.
+/// Sets what the password protects, and the password.
 ///
-/// Known from one source only, the vendor's Python library.
+/// The board confirms it.
+///
+/// Published in the vendor's Python library only.
 #[message(CMD_PASS_PROTECT_WRITE, outgoing, size = 9..=41, since = "2.73.6", answer = Confirm)]
 pub struct PassProtectWrite<'a> {
     /// What to protect.

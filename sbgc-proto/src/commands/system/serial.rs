@@ -4,7 +4,9 @@ use sbgc_proto_macros::{message, open_enum};
 
 use crate::wire::{bit_enums, bit_fields};
 
-/// Sends bytes to a serial port of a device on the CAN bus. Only boards of the extended family can.
+/// Sends bytes to a serial port of a device on the CAN bus.
+///
+/// Only boards of the extended family can.
 #[message(CMD_TRANSPARENT_SAPI, outgoing, size = 1..=255, since = "2.72b0")]
 pub struct TransparentSapiRequest<'a> {
     /// Which port of which device.
@@ -15,8 +17,7 @@ pub struct TransparentSapiRequest<'a> {
 
 /// Bytes that came from a serial port of a device on the CAN bus.
 ///
-/// One source has no [`target`](Self::target) in this direction; the vendor's libraries have it, and they are followed
-/// here.
+/// The [`target`](Self::target) in this direction is that of the vendor's libraries; a third-party one has none.
 #[message(CMD_TRANSPARENT_SAPI, incoming, size = 1..=255, since = "2.72b0")]
 pub struct TransparentSapi<'a> {
     /// Which port of which device.

@@ -7,13 +7,13 @@ use crate::wire::{Float, PerAxis, Reserved};
 
 /// Starts or stops automatic tuning, in firmware that does not have the second version yet.
 ///
-/// The gimbal moves. One `CMD_CONFIRM` comes at the start. While it runs, [`AutoPid`] tells the progress if
+/// **The gimbal moves.** One `CMD_CONFIRM` comes at the start. While it runs, [`AutoPid`] tells the progress if
 /// [`AutoPidFlags::SEND_GUI`] is set. When it is done the board sends the parameters of the profile that was tuned, or
-/// of all profiles, without being asked (`CMD_READ_PARAMS_3` and the other blocks). No source says how long it takes.
-/// All zero stops it.
+/// of all profiles, without being asked (`CMD_READ_PARAMS_3` and the other blocks). How long it takes is not published.
+/// A command of zeros stops it.
 ///
-/// The specification has it replaced by [`AutoPid2Request`](crate::commands::AutoPid2Request) in firmware 2.70; newer
-/// sources say 2.73.
+/// By the specification it is replaced by [`AutoPid2Request`](crate::commands::AutoPid2Request) in firmware 2.70; newer
+/// documents say 2.73.
 #[message(CMD_AUTO_PID, outgoing, size = 19, answer = Confirm)]
 pub struct AutoPidRequest {
     /// The profile to tune, the first to the fifth. The board goes to it before and saves the result there.
@@ -31,7 +31,8 @@ pub struct AutoPidRequest {
 
 /// How automatic tuning, first version, is going.
 ///
-/// Sources divide it differently; this is the reading of most of them, which also fits the specification's table.
+/// The vendor's libraries divide it differently; this is the reading of most of them, which also fits the
+/// specification's table.
 #[message(CMD_AUTO_PID, incoming, size = 57)]
 pub struct AutoPid {
     /// Proportional gains.
@@ -45,6 +46,7 @@ pub struct AutoPid {
     /// How many rounds have been made.
     pub iteration_cnt: u16,
     /// How good each axis is.
+    #[wire(group)]
     pub axes: PerAxis<AutoPidError>,
     pub reserved: Reserved<10>,
 }

@@ -19,9 +19,9 @@ pub struct AutoPid2SimpleRequest {
 
 /// Starts automatic tuning or saves its configuration.
 ///
-/// The gimbal moves. One `CMD_CONFIRM` comes at once, or `CMD_ERROR` with an
+/// **The gimbal moves.** One `CMD_CONFIRM` comes at once, or `CMD_ERROR` with an
 /// [`AutoPid2Error`](crate::commands::AutoPid2Error). When it is done the board sends the parameters of the current
-/// profile without being asked (`CMD_READ_PARAMS_3` and the other blocks). No source says how long it takes.
+/// profile without being asked (`CMD_READ_PARAMS_3` and the other blocks). How long it takes is not published.
 ///
 /// Firmware 2.70 to 2.72 has another layout of the same length and with the same version byte,
 /// [`AutoPid2LegacyRequest`]. Only the version of the firmware tells them apart. One library's history of changes has
@@ -36,6 +36,7 @@ pub struct AutoPid2Request {
     /// Version of the configuration that follows: 1.
     pub cfg_version: u8,
     /// How to tune each axis.
+    #[wire(group)]
     pub axes: PerAxis<AutoPid2Axis>,
     /// How to tune all of them.
     pub general_flags: AutoPid2GeneralFlags,
@@ -72,11 +73,11 @@ pub struct AutoPid2Axis {
     pub reserved: Reserved<6>,
 }
 
-/// The same for firmware 2.70 to 2.72.
+/// Starts automatic tuning or saves its configuration, in firmware 2.70 to 2.72.
 ///
 /// Its length and version byte are those of [`AutoPid2Request`], so [`OutgoingCommand`](crate::OutgoingCommand) takes
-/// these bytes for that one; decoded and encoded again they are still the same. Whoever knows that the firmware is older
-/// than 2.73 decodes them with this type:
+/// these bytes for that one; decoded and encoded again they are still the same. Whoever knows that the firmware is
+/// older than 2.73 decodes them with this type:
 ///
 /// ```
 /// use sbgc_proto::Message;
@@ -99,6 +100,7 @@ pub struct AutoPid2LegacyRequest {
     /// Version of the configuration that follows: 1.
     pub cfg_version: u8,
     /// How to tune each axis.
+    #[wire(group)]
     pub axes: PerAxis<AutoPid2LegacyAxis>,
     /// How to tune all of them.
     pub general_flags: AutoPid2GeneralFlags,
@@ -128,9 +130,9 @@ pub struct AutoPid2LegacyAxis {
     pub reserved: Reserved<6>,
 }
 
-/// Presumably the configuration that [`AutoPid2Action::Read`] asks for.
+/// The configuration of automatic tuning, presumably what [`AutoPid2Action::Read`] asks for.
 ///
-/// No source describes it, so these bytes stay as they came.
+/// The layout is not published, so these bytes stay as they came.
 #[message(CMD_AUTO_PID2, incoming, form = "undocumented", size = 0..=255)]
 pub struct AutoPid2<'a> {
     /// The payload.

@@ -1,21 +1,21 @@
 //! The Bode test: an axis is driven by a test signal, and signal and response are sent back.
 //!
-//! One source only, the vendor's own package, knows its payloads.
+//! The specification has only the names; the payloads are those of one package of the vendor's.
 
 use sbgc_proto_macros::{message, open_enum, record};
 
-use crate::commands::Confirm;
+use crate::commands::{Axis, Confirm};
 use crate::wire::{Float, List, Reserved};
 
 /// Starts a Bode test on one axis.
 ///
-/// The gimbal moves. It needs motors that are on and a board that has this function. `CMD_CONFIRM` comes first, which
+/// **The gimbal moves.** It needs motors that are on and a board that has this function. `CMD_CONFIRM` comes first, which
 /// old firmware may leave out, then [`BodeTestData`] again and again without being asked, and [`BodeTestStartStop`] at
 /// the end, after `samples_num` times 0.8 ms. How to stop a test early is not known.
 #[message(CMD_BODE_TEST_START_STOP, outgoing, form = "start", size = 30, answer = Confirm)]
 pub struct BodeTestStartStopRequest {
     /// Which axis.
-    pub axis: BodeTestAxis,
+    pub axis: Axis,
     /// Kind of the test signal.
     pub stimulus_type: BodeStimulusType,
     /// Strength of the test signal.
@@ -67,6 +67,7 @@ pub struct BodeTestData {
     /// The output that raw 65534 stands for.
     pub output_max: Float,
     /// The samples.
+    #[wire(group)]
     pub samples: List<BodeSample, 20>,
 }
 
@@ -92,17 +93,6 @@ pub struct BodeSample {
     pub input: u16,
     /// What came out.
     pub output: u16,
-}
-
-/// The axis of a Bode test. Spec: `BODE_TEST_AXIS`.
-#[open_enum(u8)]
-pub enum BodeTestAxis {
-    /// Roll.
-    Roll = 0,
-    /// Pitch.
-    Pitch = 1,
-    /// Yaw.
-    Yaw = 2,
 }
 
 /// Kind of test signal. Spec: `BODE_STIMULUS_TYPE`.

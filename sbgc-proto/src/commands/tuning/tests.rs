@@ -1,7 +1,7 @@
 //! Golden bytes, all made by hand from the layouts.
 
 use super::*;
-use crate::commands::{AutoPidFlags, ProfileId};
+use crate::commands::{AutoPidFlags, Axis, ProfileId};
 use crate::units::{GainMargin, TestAngle, TestFrequencyFrom, TestFrequencyTo};
 use crate::wire::{Float, ToWire};
 use crate::{DecodeError, Message};
@@ -125,7 +125,7 @@ fn bode_tests_start_and_end() {
     payload[..14].copy_from_slice(&[2, 3, 0xE8, 0x03, 120, 0, 198, 0x88, 0x13, 0, 0, 0, 3, 0]);
     payload[29] = 1;
     let message = BodeTestStartStopRequest::decode(&payload).unwrap();
-    assert_eq!((message.axis, message.system), (BodeTestAxis::Yaw, BodeTestSystem::PlantClosedLoop));
+    assert_eq!((message.axis, message.system), (Axis::Yaw, BodeTestSystem::PlantClosedLoop));
     assert_eq!(message.stimulus_type, BodeStimulusType::ExponentialSineSweep);
     assert_eq!((message.stimulus_gain, message.samples_num), (1000, 5000));
     assert_eq!((message.start_freq, message.end_freq), (3, 120));

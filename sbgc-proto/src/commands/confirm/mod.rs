@@ -13,7 +13,7 @@ pub use error::*;
 use crate::wire::{FromWire, Layout, Read, ToWire, U24, Writer};
 use crate::{CommandId, EncodeError};
 
-/// A command was accepted, or what it started is done.
+/// A command was accepted, or what it has started is done.
 ///
 /// Calibrations are confirmed twice, when they start and when they end. `CMD_CONTROL` is confirmed at once, and with
 /// `AUTO_TASK` again when all targets are reached. A command that fails is answered by [`Error`] instead, or by

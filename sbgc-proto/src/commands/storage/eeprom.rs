@@ -27,10 +27,9 @@ pub struct EepromRead<'a> {
 
 /// Writes a block to the EEPROM.
 ///
-/// **Nothing checks what is written**: a wrong block destroys settings and calibrations, so read and keep what was there.
-/// On success the board confirms
-/// with [`addr`](Self::addr) as the data of the confirmation. How many bytes of it the confirmation carries, one to
-/// four, is not settled; compare as many as have come.
+/// **Nothing checks what is written**: a wrong block destroys settings and calibrations, so read and keep what was
+/// there. On success the board confirms with [`addr`](Self::addr) as the data of the confirmation. How many bytes of it
+/// the confirmation carries, one to four, is not settled; compare as many as have come.
 #[message(CMD_EEPROM_WRITE, outgoing, size = 4..=255, answer = Confirm)]
 pub struct EepromWrite<'a> {
     /// Where the block starts: a multiple of 64.

@@ -61,3 +61,11 @@ fn every_id_has_a_type() {
     let missing: Vec<u8> = (1..=u8::MAX).filter(|raw| named(raw) && !typed(raw)).collect();
     assert!(missing.is_empty(), "ids without a type: {missing:?}");
 }
+
+#[test]
+fn summaries_are_plain_sentences() {
+    for info in OutgoingCommand::ALL.iter().chain(IncomingCommand::ALL) {
+        assert!(!info.summary.contains(['[', ']']), "{}", info.summary);
+        assert!(info.summary.ends_with('.'), "{}", info.summary);
+    }
+}

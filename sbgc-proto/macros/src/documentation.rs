@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 
 use quote::ToTokens;
-use syn::{Attribute, parse_quote};
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Token, parse_quote};
 
 use crate::attributes::{Arguments, Count};
 use crate::structure::Field;
@@ -12,12 +13,9 @@ use crate::structure::Field;
 pub(crate) fn summary(attributes: &[Attribute]) -> String {
     let mut text = String::new();
     for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("doc")) {
-        if let syn::Meta::NameValue(syn::MetaNameValue {
-            value: syn::Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(line), .. }),
-            ..
-        }) = &attribute.meta
+        if let syn::Meta::NameValue(meta) = &attribute.meta
+            && let Some(line) = literal(&meta.value)
         {
-            let line = line.value();
             if line.trim().is_empty() && !text.is_empty() {
                 break;
             }
@@ -27,7 +25,39 @@ pub(crate) fn summary(attributes: &[Attribute]) -> String {
             text.push_str(line.trim());
         }
     }
-    text
+    without_links(&text)
+}
+
+/// The text of a string, or of several in `concat!`.
+fn literal(text: &Expr) -> Option<String> {
+    match text {
+        Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
+        Expr::Macro(text) if text.mac.path.is_ident("concat") => {
+            let parts = text.mac.parse_body_with(Punctuated::<LitStr, Token![,]>::parse_terminated).ok()?;
+            Some(parts.iter().map(LitStr::value).collect())
+        }
+        _ => None,
+    }
+}
+
+/// `text` with plain words for links to code: "[`Name`](path)" and "[`Name`]" become "Name".
+fn without_links(text: &str) -> String {
+    let mut result = String::new();
+    let mut rest = text;
+    while let Some((before, link)) = rest.split_once("[`") {
+        result.push_str(before);
+        let Some((name, after)) = link.split_once("`]") else {
+            result.push_str("[`");
+            rest = link;
+            continue;
+        };
+        result.push_str(name);
+        rest = match after.strip_prefix('(').and_then(|target| target.split_once(')')) {
+            Some((_, after)) => after,
+            None => after,
+        };
+    }
+    result + rest
 }
 
 /// What a message's page says besides its own words.

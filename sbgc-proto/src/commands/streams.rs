@@ -12,9 +12,11 @@ use crate::wire::{Bytes, Reserved, flags};
 
 /// Makes the board send a message at a fixed rate or on events.
 ///
-/// There is one stream for each command and configuration on each port, and there are ten over all ports. The same
-/// command and configuration again change the stream's interval, and an interval of 0 ends it. When the port or its
-/// buffer is too slow, samples are left out.
+/// Each port has its own streams, one for each command and configuration, and there are at most ten over all ports. The
+/// same command and configuration again change the stream's interval, and an interval of 0 ends it. When the port or
+/// its buffer is too slow, samples are left out. The board confirms that a stream was registered or changed.
+///
+/// Nothing is stored: register again after a restart of the board.
 ///
 /// ```
 /// use sbgc_proto::commands::{DataStreamInterval, RealtimeDataCustomFlags, StreamSource};

@@ -134,8 +134,13 @@ quantities! {
     /// A margin of gain.
     GainMargin(u8): decibels / from_decibels / try_from_decibels -> f32, "dB", 1 / 10;
 
-    /// A jerk slope: the time in which an acceleration builds up. 0 leaves it as it is, 1 switches it off.
-    JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1;
+    /// A jerk slope: the time in which an acceleration builds up.
+    JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1, special {
+        /// Leaves the present one as it is.
+        UNCHANGED = 0;
+        /// Accelerations set in at once.
+        OFF = 1;
+    };
 
     /// A dead band in units of the gyroscope.
     GyroDeadband(u8): units / from_units / try_from_units -> f32, "gyro units", 1 / 10;

@@ -50,8 +50,8 @@ pub struct EncodersCalibFldOffset4Simple {}
 
 /// Finds how the encoders stand to the fields of their motors, over a given range.
 ///
-/// **The gimbal moves.** All else is as with [`EncodersCalibFldOffset4Simple`]. For firmware 2.70b8 to 2.71b0, of which it
-/// is not known what longer forms it takes, this is the one to use.
+/// **The gimbal moves.** All else is as with [`EncodersCalibFldOffset4Simple`]. For firmware 2.70b8 to 2.71b0, of which
+/// it is not known what longer forms it takes, this is the one to use.
 #[message(
     CMD_ENCODERS_CALIB_FLD_OFFSET_4,
     outgoing,
@@ -87,8 +87,9 @@ pub struct EncodersCalibFldOffset4Speed {
 
 /// Finds how the encoders stand to the fields of their motors, over a given range, at a given speed, with fewer checks.
 ///
-/// **The gimbal moves.** All else is as with [`EncodersCalibFldOffset4Simple`]. The vendor's libraries have the flags in firmware 2.70b8 already, before the
-/// speed that stands in front of them; what firmware between that and 2.71b1 expects is not settled.
+/// **The gimbal moves.** All else is as with [`EncodersCalibFldOffset4Simple`]. The vendor's libraries have the flags
+/// in firmware 2.70b8 already, before the speed that stands in front of them; what firmware between that and 2.71b1
+/// expects is not settled.
 #[message(CMD_ENCODERS_CALIB_FLD_OFFSET_4, outgoing, form = "extended_flags", size = 14, since = "2.71b1")]
 pub struct EncodersCalibFldOffset4Flags {
     /// How far to move; the default is 40 degrees, raw 1820.

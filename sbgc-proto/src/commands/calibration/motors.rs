@@ -8,9 +8,9 @@ use crate::wire::{PerAxis, Reserved, flags};
 
 /// Measures or deletes the correction of cogging, the unevenness of a motor over its turn.
 ///
-/// **The gimbal moves.** Prepare it first as the user manual tells. The board confirms at the start, and with data 255 at
-/// the end, which one of the vendor's libraries waits for. How long it takes depends on angles, speeds and iterations;
-/// `CMD_COGGING_CALIB_INFO` seems to report the progress, in a layout that is not published.
+/// **The gimbal moves.** Prepare it first as the user manual tells. The board confirms at the start, and with data 255
+/// at the end, which one of the vendor's libraries waits for. How long it takes depends on angles, speeds and
+/// iterations; `CMD_COGGING_CALIB_INFO` seems to report the progress, in a layout that is not published.
 ///
 /// The specification of firmware 2.6x names the command without its payload, which is that of newer documents. One of
 /// the vendor's libraries lets its compiler pad each axis to 16 bytes, which makes 60 in all; the others have 57 bytes

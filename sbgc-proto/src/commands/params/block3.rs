@@ -11,7 +11,7 @@ use crate::commands::{Confirm, ImuType, ProfileId, RcSource, Switch};
 use crate::units::{AccelerationLimit, Angle, GyroDeadband, ServoRate, VoltageThreshold};
 use crate::wire::PerAxis;
 
-/// Asks for the first block of a profile's parameters.
+/// Asks for the first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
 #[message(CMD_READ_PARAMS_3, outgoing, size = 1, answer = Params3)]
 pub struct ReadParams3 {
     /// Which profile. Any number above 4 is the active one.
@@ -20,12 +20,15 @@ pub struct ReadParams3 {
 
 /// Writes the first block of a profile's parameters and saves it to EEPROM.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it. Some changes
-/// make the board restart about a second after the last block was written.
+/// Read the block first with [`ReadParams3`], change what is to be changed and send all the rest as it came. Several
+/// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
+///
+/// The specification is silent on the answer; the vendor's library waits for it. Some changes make the board restart
+/// about a second after the last block was written.
 #[message(CMD_WRITE_PARAMS_3, outgoing, size = 134, answer = Confirm)]
 pub struct WriteParams3(pub Params3);
 
-/// The first block of a profile's parameters.
+/// The first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
 #[message(CMD_READ_PARAMS_3, incoming, size = 134)]
 pub struct Params3 {
     /// Whose parameters these are.
@@ -218,9 +221,9 @@ pub struct MotorTuning {
     pub d: PidTerm,
     /// Power of the motor; 255 is the most.
     pub power: u8,
-    /// Whether the motor turns the other way.
+    /// Whether the motor turns the other way. [`CalibPoles`](crate::commands::CalibPoles) finds it.
     pub invert: Switch,
-    /// Number of the motor's poles.
+    /// Number of the motor's magnetic poles. [`CalibPoles`](crate::commands::CalibPoles) finds it.
     pub poles: u8,
 }
 

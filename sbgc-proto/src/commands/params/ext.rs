@@ -10,7 +10,7 @@ use crate::units::{
 };
 use crate::wire::{PerAxis, Reserved};
 
-/// Asks for the second block of a profile's parameters.
+/// Asks for the second block of a profile's parameters: filters, encoders, magnetometer.
 #[message(CMD_READ_PARAMS_EXT, outgoing, size = 1, answer = ParamsExt)]
 pub struct ReadParamsExt {
     /// Which profile. Any number above 4 is the active one.
@@ -19,11 +19,14 @@ pub struct ReadParamsExt {
 
 /// Writes the second block of a profile's parameters and saves it to EEPROM.
 ///
+/// Read the block first with [`ReadParamsExt`], change what is to be changed and send all the rest as it came. Several
+/// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
+///
 /// The specification is silent on the answer; the vendor's library waits for it.
 #[message(CMD_WRITE_PARAMS_EXT, outgoing, size = 104, answer = Confirm)]
 pub struct WriteParamsExt(pub ParamsExt);
 
-/// The second block of a profile's parameters.
+/// The second block of a profile's parameters: filters, encoders, magnetometer.
 ///
 /// The specification's table gives each axis one notch filter and would make 92 bytes; there are three for each, which
 /// makes the 104 bytes that the vendor's library has.

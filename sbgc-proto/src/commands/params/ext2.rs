@@ -13,7 +13,7 @@ use crate::units::{
 };
 use crate::wire::{PerAxis, PerXyz, Reserved};
 
-/// Asks for the third block of a profile's parameters.
+/// Asks for the third block of a profile's parameters: MavLink, limits, automated motion, signals.
 #[message(CMD_READ_PARAMS_EXT2, outgoing, size = 1, answer = ParamsExt2)]
 pub struct ReadParamsExt2 {
     /// Which profile. Any number above 4 is the active one.
@@ -22,14 +22,17 @@ pub struct ReadParamsExt2 {
 
 /// Writes the third block of a profile's parameters and saves it to EEPROM.
 ///
+/// Read the block first with [`ReadParamsExt2`], change what is to be changed and send all the rest as it came. Several
+/// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
+///
 /// The specification is silent on the answer; the vendor's library waits for it.
 #[message(CMD_WRITE_PARAMS_EXT2, outgoing, size = 151, answer = Confirm)]
 pub struct WriteParamsExt2(pub ParamsExt2);
 
-/// The third block of a profile's parameters.
+/// The third block of a profile's parameters: MavLink, limits, automated motion, signals.
 ///
-/// It has 151 bytes for all firmware, but older one uses fewer of them: that of 2.62 none from `OUTER_MOT_TILT_ANGLE`
-/// on.
+/// It has 151 bytes in all firmware, but older firmware uses fewer of them: 2.62 none from
+/// [`outer_mot_tilt_angle`](Self::outer_mot_tilt_angle) on.
 #[message(CMD_READ_PARAMS_EXT2, incoming, size = 151)]
 pub struct ParamsExt2 {
     /// Whose parameters these are.

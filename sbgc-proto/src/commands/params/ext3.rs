@@ -13,7 +13,7 @@ use crate::units::{
 };
 use crate::wire::{Bytes, PerAxis, Reserved};
 
-/// Asks for the fourth block of a profile's parameters.
+/// Asks for the fourth block of a profile's parameters: external IMU and, in newer firmware, much else.
 #[message(CMD_READ_PARAMS_EXT3, outgoing, size = 1, since = "2.66", answer = ParamsExt3)]
 pub struct ReadParamsExt3 {
     /// Which profile. Any number above 4 is the active one.
@@ -22,11 +22,14 @@ pub struct ReadParamsExt3 {
 
 /// Writes the fourth block of a profile's parameters and saves it to EEPROM.
 ///
+/// Read the block first with [`ReadParamsExt3`], change what is to be changed and send all the rest as it came. Several
+/// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
+///
 /// The specification is silent on the answer; the vendor's library waits for it.
 #[message(CMD_WRITE_PARAMS_EXT3, outgoing, size = 221, since = "2.66", answer = Confirm)]
 pub struct WriteParamsExt3(pub ParamsExt3);
 
-/// The fourth block of a profile's parameters.
+/// The fourth block of a profile's parameters: external IMU and, in newer firmware, much else.
 ///
 /// It always has 221 bytes. Firmware 2.66 uses those up to `GLOCK_MID_MOT_POS_CORR_RATE`, without the three fields of
 /// the external IMU behind `EXT_IMU_FLAGS`; all else is of newer firmware, up to 2.73, and was reserved before. Which

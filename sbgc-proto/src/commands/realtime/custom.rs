@@ -13,7 +13,8 @@ use crate::{DecodeError, Message, OutOfRange};
 
 use self::RealtimeDataCustomFlags as Flags;
 
-/// Asks for chosen real-time data.
+/// Asks once for real-time data of your choice; [`DataStreamInterval`](crate::commands::DataStreamInterval) has them
+/// sent again and again.
 ///
 /// The board answers with [`RealtimeDataCustom`], which does not say what it holds: read it with the flags that were
 /// asked for.

@@ -13,7 +13,7 @@ use crate::wire::{PerAxis, PerXyz, Reserved};
 #[message(CMD_REALTIME_DATA, outgoing, size = 0, answer = RealtimeData3)]
 pub struct RealtimeDataRequest {}
 
-/// Asks for real-time data.
+/// Asks for sensors, errors, control signals, angles, battery and motor power.
 #[message(CMD_REALTIME_DATA_3, outgoing, size = 0, answer = RealtimeData3)]
 pub struct RealtimeData3Request {}
 
@@ -66,7 +66,7 @@ pub struct RealtimeData3 {
     pub bat_level: Voltage,
     /// Whether the motors are on.
     pub rt_data_flags: RtDataFlags,
-    /// The IMU that the angles and sensor values are of.
+    /// The IMU that `imu_angle` and the sensor values are of, as [`SelectImu3`](crate::commands::SelectImu3) chose it.
     pub cur_imu: ImuType,
     /// The active profile.
     #[wire(range = 0..=4)]
@@ -85,7 +85,7 @@ pub struct SensorAxis {
     pub gyro_data: SensorRate,
 }
 
-/// Asks for more real-time data.
+/// Asks for all of [`RealtimeData3`], and joint angles, balance, current, magnetometer, temperatures and motor output.
 #[message(CMD_REALTIME_DATA_4, outgoing, size = 0, answer = RealtimeData4)]
 pub struct RealtimeData4Request {}
 
@@ -93,7 +93,7 @@ pub struct RealtimeData4Request {}
 #[message(CMD_REALTIME_DATA_4, incoming, size = 124)]
 #[derive(Copy)]
 pub struct RealtimeData4 {
-    /// The shorter message.
+    /// What the shorter message has, in the same first 63 bytes.
     #[wire(group)]
     pub realtime_data_3: RealtimeData3,
     /// How far each joint is turned, by encoder, second IMU or otherwise; 0 is its normal position.
@@ -127,7 +127,7 @@ pub struct RealtimeData4 {
     pub calib_mode: CalibMode,
     /// Error of the sensor behind a CAN IMU. Reserved before newer firmware.
     pub can_imu_ext_sens_err: u8,
-    /// Angle that counts: of the IMU in inertial modes, of the motor in modes relative to motors.
+    /// The angle that control works on: that of the IMU in inertial modes, of the motor in modes relative to motors.
     #[wire(since = "2.72b0")]
     pub actual_angle: PerAxis<Angle>,
     /// What state the system is in.

@@ -4,7 +4,7 @@ use sbgc_proto_macros::message;
 
 use crate::commands::Confirm;
 
-/// Asks for a block of the EEPROM.
+/// Asks for a block of 64, 128 or 192 bytes of the EEPROM.
 #[message(CMD_EEPROM_READ, outgoing, size = 6, answer = EepromRead<'answer>)]
 pub struct EepromReadRequest {
     /// Where the block starts: a multiple of 64.
@@ -27,9 +27,9 @@ pub struct EepromRead<'a> {
 
 /// Writes a block to the EEPROM.
 ///
-/// Nothing checks what is written: a wrong block destroys settings and calibrations. On success the board confirms
-/// with [`addr`](Self::addr) as the data of the confirmation. How many bytes of it the confirmation carries, one to
-/// four, is not settled; compare as many as have come.
+/// **Nothing checks what is written**: a wrong block destroys settings and calibrations, so read and keep what was
+/// there. On success the board confirms with [`addr`](Self::addr) as the data of the confirmation. How many bytes of it
+/// the confirmation carries, one to four, is not settled; compare as many as have come.
 #[message(CMD_EEPROM_WRITE, outgoing, size = 4..=255, answer = Confirm)]
 pub struct EepromWrite<'a> {
     /// Where the block starts: a multiple of 64.

@@ -9,9 +9,9 @@ use crate::wire::{Float, List, Reserved};
 
 /// Starts a Bode test on one axis.
 ///
-/// **The gimbal moves.** It needs motors that are on and a board that has this function. `CMD_CONFIRM` comes first, which
-/// old firmware may leave out, then [`BodeTestData`] again and again without being asked, and [`BodeTestStartStop`] at
-/// the end, after `samples_num` times 0.8 ms. How to stop a test early is not known.
+/// **The gimbal moves.** It needs motors that are on and a board that has this function. `CMD_CONFIRM` comes first,
+/// which old firmware may leave out, then [`BodeTestData`] again and again without being asked, and
+/// [`BodeTestStartStop`] at the end, after `samples_num` times 0.8 ms. How to stop a test early is not known.
 #[message(CMD_BODE_TEST_START_STOP, outgoing, form = "start", size = 30, answer = Confirm)]
 pub struct BodeTestStartStopRequest {
     /// Which axis.

@@ -1,0 +1,100 @@
+//! What the board says to commands that change something: confirmations and errors.
+
+mod error;
+#[cfg(feature = "reflect")]
+mod reflection;
+#[cfg(test)]
+mod tests;
+
+use sbgc_proto_macros::message;
+
+pub use error::*;
+
+use crate::wire::{FromWire, Layout, Read, ToWire, U24, Writer};
+use crate::{CommandId, EncodeError};
+
+/// A command was accepted, or what it has started is done.
+///
+/// Calibrations are confirmed twice, when they start and when they end. `CMD_CONTROL` is confirmed at once, and with
+/// `AUTO_TASK` again when all targets are reached. A command that fails is answered by [`Error`] instead, or by
+/// nothing.
+///
+/// Whether some commands are confirmed at all is not settled: the specification is silent about several calibrations of
+/// encoders and motors, `CMD_USE_DEFAULTS` and `CMD_RUN_SCRIPT`, and libraries differ. Take a confirmation of these if
+/// it comes, and do not depend on it. The page of each command says what holds for it.
+#[message(CMD_CONFIRM, incoming, size = 1..=5)]
+#[derive(Copy)]
+pub struct Confirm {
+    /// The command that is confirmed.
+    pub cmd_id: CommandId,
+    /// More about it, where the command says so.
+    ///
+    /// `CMD_CONTROL`: 1 when the target is reached. `CMD_CALIB_COGGING`: 255 at the end. `CMD_WRITE_FILE` and
+    /// `CMD_FS_CLEAR_ALL`: a [`FsErrorCode`], for these are confirmed when they fail, too. `CMD_EEPROM_WRITE`: the
+    /// address, in a width that is not settled. `CMD_TRIGGER_PIN`, firmware 2.74.3 and later, for inputs: the pin in
+    /// the low byte and its signed state in the next. Zero or nothing with all others.
+    pub data: ConfirmData,
+}
+
+/// The number in a confirmation, in the width that it came in.
+///
+/// The specification has one or two bytes. No bytes at all have been seen from boards, and newer hosts accept up to
+/// four.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum ConfirmData {
+    /// No bytes.
+    #[default]
+    None,
+    /// One byte.
+    U8(u8),
+    /// Two bytes.
+    U16(u16),
+    /// Three bytes.
+    U24(U24),
+    /// Four bytes.
+    U32(u32),
+}
+
+impl ConfirmData {
+    /// The number, 0 where there are no bytes.
+    pub fn value(self) -> u32 {
+        match self {
+            ConfirmData::None => 0,
+            ConfirmData::U8(value) => value.into(),
+            ConfirmData::U16(value) => value.into(),
+            ConfirmData::U24(value) => value.get(),
+            ConfirmData::U32(value) => value,
+        }
+    }
+}
+
+impl Layout for ConfirmData {
+    const MIN_LEN: usize = 0;
+    const MAX_LEN: usize = 4;
+}
+
+impl<'a> FromWire<'a> for ConfirmData {
+    fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
+        match input {
+            [] => Ok((input, ConfirmData::None)),
+            [_] => u8::read(input, ()).map(|(rest, value)| (rest, ConfirmData::U8(value))),
+            [_, _] => u16::read(input, ()).map(|(rest, value)| (rest, ConfirmData::U16(value))),
+            [_, _, _] => U24::read(input, ()).map(|(rest, value)| (rest, ConfirmData::U24(value))),
+            [_, _, _, _, ..] => u32::read(input, ()).map(|(rest, value)| (rest, ConfirmData::U32(value))),
+        }
+    }
+}
+
+impl ToWire for ConfirmData {
+    fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
+        match self {
+            ConfirmData::None => Ok(()),
+            ConfirmData::U8(value) => value.write((), out),
+            ConfirmData::U16(value) => value.write((), out),
+            ConfirmData::U24(value) => value.write((), out),
+            ConfirmData::U32(value) => value.write((), out),
+        }
+    }
+}

@@ -19,13 +19,21 @@ pub enum Error {
     /// The port failed.
     #[error("the port failed: {0}")]
     Io(#[from] io::Error),
+    /// The port or the connection cannot be opened.
+    #[error("cannot open {address}: {source}")]
+    Open {
+        /// The port or the address.
+        address: String,
+        /// Why.
+        source: io::Error,
+    },
     /// The port or the connection went away while something waited on it.
     #[error("the connection to the board was lost; check cable and power, then connect again")]
     Disconnected,
     /// No answer came in time.
     #[error(
-        "{command}: no answer after {after:?} ({attempts} {}); check power, cable, baud rate and parity",
-        if *attempts == 1 { "attempt" } else { "attempts" }
+        "{command}: no answer after {} ({attempts} {}); check power, cable, baud rate and parity",
+        Rounded(*.after), if *attempts == 1 { "attempt" } else { "attempts" }
     )]
     Timeout {
         /// The spec's name of the command.
@@ -82,7 +90,8 @@ pub enum Error {
     },
     /// The gimbal did not reach its target in time. It may still be moving.
     #[error(
-        "the target was not reached within {after:?}; check that the motors are on and that nothing blocks them, or allow more time"
+        "the target was not reached within {}; check that the motors are on and that nothing blocks them, or allow more time",
+        Rounded(*.after)
     )]
     NotReached {
         /// How long was waited.
@@ -128,10 +137,26 @@ pub enum Error {
     },
 }
 
+/// A time as people say it.
+struct Rounded(Duration);
 struct NameOf(Option<&'static str>);
 struct DataOf<'a>(&'a Bytes);
 struct PortList<'a>(&'a [crate::transport::PortInfo]);
 struct GroupHint<'a>(&'a Option<String>);
+
+impl std::fmt::Display for Rounded {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if self.0 < Duration::from_secs(1) {
+            write!(f, "{} ms", self.0.as_millis())
+        } else {
+            let tenths = self.0.as_millis() / 100;
+            match tenths % 10 {
+                0 => write!(f, "{} s", tenths / 10),
+                rest => write!(f, "{}.{rest} s", tenths / 10),
+            }
+        }
+    }
+}
 
 impl std::fmt::Display for NameOf {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
@@ -162,8 +187,8 @@ impl std::fmt::Display for PortList<'_> {
 impl std::fmt::Display for GroupHint<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.0 {
-            Some(group) => write!(f, "; add your user to the group {group} and log in again"),
-            None => f.write_str("; ask for access to this device"),
+            Some(group) => write!(f, "; members of the group {group} have it"),
+            None => f.write_str("; only its owner has it"),
         }
     }
 }
@@ -174,11 +199,11 @@ mod tests {
 
     #[test]
     fn texts_say_what_to_do() {
-        let timeout =
-            Error::Timeout { command: "CMD_BOARD_INFO", after: Duration::from_millis(1500), attempts: 3 };
+        let after = Duration::from_micros(1_504_297);
+        let timeout = Error::Timeout { command: "CMD_BOARD_INFO", after, attempts: 3 };
         assert_eq!(
             timeout.to_string(),
-            "CMD_BOARD_INFO: no answer after 1.5s (3 attempts); check power, cable, baud rate and parity"
+            "CMD_BOARD_INFO: no answer after 1.5 s (3 attempts); check power, cable, baud rate and parity"
         );
         let refused = Error::Refused {
             command: "CMD_AUTO_PID2",
@@ -190,6 +215,8 @@ mod tests {
             refused.to_string(),
             "CMD_AUTO_PID2: the board refused with error 2 (ERR_WRONG_PARAMS), data 01 00 00 00"
         );
+        let late = Error::NotReached { after: Duration::from_secs(30) };
+        assert!(late.to_string().contains("within 30 s;"));
         let missing = Error::NoSuchPort { name: "ttyUSB7".into(), available: Vec::new() };
         assert!(missing.to_string().ends_with("check that the board is plugged in and powered"));
         let denied = Error::PermissionDenied { path: "/dev/ttyUSB0".into(), group: Some("dialout".into()) };

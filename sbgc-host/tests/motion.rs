@@ -110,3 +110,15 @@ async fn a_lost_port_ends_the_wait() {
     });
     assert!(matches!(moved, Err(Error::Disconnected)));
 }
+
+#[tokio::test(start_paused = true)]
+async fn whoever_waits_for_ever_may() {
+    let options = sbgc_host::Options { timeout: Duration::MAX, gap: Duration::MAX, ..Default::default() };
+    let (gimbal, mut board) = gimbal_with(4096, options);
+    let (moved, ()) = tokio::join!(gimbal.move_to(TARGET, ControlRate(0), Duration::MAX), async {
+        board.expect(67).await;
+        board.confirm(67).await;
+        board.send(CONFIRM, &[67, 1]).await;
+    });
+    moved.unwrap();
+}

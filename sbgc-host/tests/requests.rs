@@ -237,6 +237,33 @@ async fn version_1_is_tried_when_version_2_is_not_answered() {
 }
 
 #[tokio::test(start_paused = true)]
+async fn version_2_is_tried_again_when_version_1_is_not_answered() {
+    let (gimbal, mut board) = gimbal();
+    let (info, ()) = tokio::join!(gimbal.handshake(), async {
+        for version in [Version::V2, Version::V2, Version::V1, Version::V2] {
+            assert_eq!(board.expect(BOARD_INFO).await.version, version);
+        }
+        board.send(BOARD_INFO, &board_info(2700)).await;
+    });
+    info.unwrap();
+    assert_eq!(gimbal.version(), Version::V2);
+}
+
+#[tokio::test(start_paused = true)]
+async fn nobody_is_found_in_a_time_that_is_said() {
+    let (gimbal, _board) = gimbal();
+    let start = Instant::now();
+    let error = gimbal.handshake().await.unwrap_err();
+    let waited = start.elapsed();
+    assert!(
+        matches!(error, Error::Timeout { after, attempts: 5, .. } if after == waited),
+        "{error} after {waited:?}"
+    );
+    assert!(waited < MS(3000), "{waited:?}");
+    assert_eq!(gimbal.version(), Version::V2);
+}
+
+#[tokio::test(start_paused = true)]
 async fn version_2_is_kept_when_it_is_answered() {
     let (gimbal, mut board) = gimbal();
     let (info, ()) = tokio::join!(gimbal.handshake(), async {

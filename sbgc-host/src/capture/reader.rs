@@ -61,9 +61,12 @@ pub enum ReadError {
 #[derive(Debug)]
 pub struct Reader {
     format: Format,
+    beginning: Beginning,
     decoder: Decoder,
     hex: HexReader,
     line: Vec<u8>,
+    /// Bytes of the present line, of which `line` keeps no more than a log can have.
+    line_length: usize,
     lines: u64,
     skipped: Option<Skipped>,
 }
@@ -73,9 +76,11 @@ impl Reader {
     pub fn new(format: Format) -> Self {
         Reader {
             format,
+            beginning: Beginning::default(),
             decoder: Decoder::new(Versions::Both),
             hex: HexReader::default(),
             line: Vec::new(),
+            line_length: 0,
             lines: 0,
             skipped: None,
         }
@@ -86,12 +91,23 @@ impl Reader {
     /// # Errors
     /// When the capture is not what its format says.
     pub fn feed(&mut self, piece: &[u8], item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
-        if self.format == Format::Auto {
-            if piece.is_empty() {
-                return Ok(());
-            }
-            self.format = looks_like(piece);
+        if self.format != Format::Auto {
+            return self.read(piece, item);
         }
+        match self.beginning.feed(piece) {
+            Some(format) => self.begin(format, item),
+            None => Ok(()),
+        }
+    }
+
+    /// The format is known: what waited for that is read.
+    fn begin(&mut self, format: Format, item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
+        self.format = format;
+        let beginning = std::mem::take(&mut self.beginning);
+        self.read(&beginning.seen, item)
+    }
+
+    fn read(&mut self, piece: &[u8], item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
         match self.format {
             Format::Auto | Format::Bin => self.bytes(piece, item),
             Format::Hex => {
@@ -110,7 +126,11 @@ impl Reader {
     /// # Errors
     /// When the capture is not what its format says.
     pub fn finish(&mut self, item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
-        if !self.line.is_empty() {
+        if self.format == Format::Auto {
+            let format = self.beginning.at_end();
+            self.begin(format, item)?;
+        }
+        if self.line_length > 0 {
             self.end_line(item);
         }
         while let Some(event) = self.decoder.finish() {
@@ -129,8 +149,10 @@ impl Reader {
 
     fn log(&mut self, piece: &[u8], item: &mut dyn FnMut(Item)) {
         for part in piece.split_inclusive(|byte| *byte == b'\n') {
-            self.line.extend_from_slice(part);
-            if part.ends_with(b"\n") || self.line.len() > LONGEST_LINE {
+            self.line_length += part.len();
+            let room = LONGEST_LINE.saturating_sub(self.line.len());
+            self.line.extend_from_slice(part.get(..room).unwrap_or(part));
+            if part.ends_with(b"\n") {
                 self.end_line(item);
             }
         }
@@ -138,15 +160,16 @@ impl Reader {
 
     fn end_line(&mut self, item: &mut dyn FnMut(Item)) {
         self.lines += 1;
-        let (at, length) = (self.lines, self.line.len());
+        let (at, length) = (self.lines, std::mem::take(&mut self.line_length));
+        let whole = length == self.line.len();
         let text = String::from_utf8_lossy(&self.line);
         let text = text.trim();
-        match log::parse(text) {
+        match log::parse(text).filter(|_| whole) {
             Some(LogLine { direction, id, length, payload }) if payload.len() == length && id != 0 => {
                 item(Item::Frame { at, version: None, direction, id, payload });
             }
             Some(_) => item(Item::Skipped { at, length, cause: Cause::Truncated }),
-            None if text.is_empty() => {}
+            None if whole && text.is_empty() => {}
             None => item(Item::Skipped { at, length, cause: Cause::NoStartByte }),
         }
         self.line.clear();
@@ -186,14 +209,68 @@ fn flush(run: &mut Option<Skipped>, item: &mut dyn FnMut(Item)) {
     }
 }
 
-/// Text of hex digits and separators is hex, other text with a log line in it is a log, all else is raw.
-fn looks_like(beginning: &[u8]) -> Format {
-    let is_hex = |byte: &u8| byte.is_ascii_hexdigit() || byte.is_ascii_whitespace() || b"xX:,".contains(byte);
-    if beginning.iter().all(is_hex) && beginning.iter().any(u8::is_ascii_hexdigit) {
-        return Format::Hex;
+/// The beginning of a capture whose format is not known yet.
+///
+/// It is judged byte by byte, so that the pieces in which it comes do not matter, and as soon as it can be, so that
+/// what comes through a pipe is shown at once:
+/// - a line of a log makes it a log;
+/// - as many hex digits as the shortest frame has, or a line of them, and nothing but separators between, make it hex;
+/// - a control character, of which every frame has some, makes it raw; so does text that goes on and is none of these.
+#[derive(Debug, Default)]
+struct Beginning {
+    seen: Vec<u8>,
+    line_start: usize,
+    digits: usize,
+    not_hex: bool,
+}
+
+/// Hex digits of the shortest frame.
+const HEX_DIGITS: usize = 10;
+
+/// So much is looked at.
+const LONGEST_BEGINNING: usize = 4096;
+
+impl Beginning {
+    /// Takes the next piece; the format, as soon as it is clear.
+    fn feed(&mut self, piece: &[u8]) -> Option<Format> {
+        let judged = self.seen.len();
+        self.seen.extend_from_slice(piece);
+        (judged..self.seen.len()).find_map(|at| self.judge(at))
     }
-    let text = String::from_utf8_lossy(beginning);
-    if text.lines().any(|line| log::parse(line.trim()).is_some()) { Format::Log } else { Format::Bin }
+
+    fn judge(&mut self, at: usize) -> Option<Format> {
+        let byte = *self.seen.get(at)?;
+        let separates = byte.is_ascii_whitespace() || b"xX:,".contains(&byte);
+        self.digits += usize::from(byte.is_ascii_hexdigit());
+        self.not_hex |= !separates && !byte.is_ascii_hexdigit();
+        if byte == b'\n' {
+            let line = self.seen.get(self.line_start..at).unwrap_or_default();
+            if is_log_line(line) {
+                return Some(Format::Log);
+            }
+            self.line_start = at + 1;
+        }
+        if !self.not_hex && (self.digits >= HEX_DIGITS || (byte == b'\n' && self.digits > 0)) {
+            return Some(Format::Hex);
+        }
+        let control = byte.is_ascii_control() && !byte.is_ascii_whitespace();
+        (control || at >= LONGEST_BEGINNING).then_some(Format::Bin)
+    }
+
+    /// Nothing more comes.
+    fn at_end(&self) -> Format {
+        if is_log_line(self.seen.get(self.line_start..).unwrap_or_default()) {
+            Format::Log
+        } else if !self.not_hex && self.digits > 0 {
+            Format::Hex
+        } else {
+            Format::Bin
+        }
+    }
+}
+
+fn is_log_line(line: &[u8]) -> bool {
+    log::parse(String::from_utf8_lossy(line).trim()).is_some()
 }
 
 #[cfg(test)]
@@ -224,6 +301,59 @@ mod tests {
         assert!(matches!(&log[0], Item::Frame { at: 1, direction: Some(Direction::Outgoing), id: 82, .. }));
         assert_eq!(log[1], Item::Skipped { at: 2, length: 6, cause: Cause::NoStartByte });
         assert_eq!(log[2], Item::Skipped { at: 3, length: 22, cause: Cause::Truncated });
+    }
+
+    #[test]
+    fn formats_are_recognised_in_whatever_pieces_they_come() {
+        let bytes = [0x41, 0x3E, 0x52, 0x01, 0x53, 0x01, 0x01];
+        for capture in [
+            &bytes[..],
+            b"3",
+            b"3E 52 01 53 01 01",
+            b"0x3E, 0x52,\n 0x01, 0x53, 0x01, 0x01",
+            b"\xEF\xBB\xBFdebug log\r\n12:00:01 out: [82,1] 01\r\n\r\n12:00:01.5 in: [67,2] 5D FF\r\n",
+            b"12:00:01 out: [82,1] 01",
+            b"123456789 port1.in: [82,1] 01\n",
+            b"just text\n",
+            b"",
+        ] {
+            let collect = |piece: usize| {
+                let (mut reader, mut items) = (Reader::new(Format::Auto), Vec::new());
+                let mut results: Vec<_> = capture
+                    .chunks(piece)
+                    .map(|piece| reader.feed(piece, &mut |item| items.push(item)))
+                    .collect();
+                results.push(reader.finish(&mut |item| items.push(item)));
+                (reader.format, items, results.pop())
+            };
+            let whole = collect(1000);
+            for piece in 1..capture.len() {
+                assert_eq!(collect(piece), whole, "{capture:?} in pieces of {piece}");
+            }
+        }
+    }
+
+    #[test]
+    fn live_captures_are_shown_as_they_come() {
+        let first = |capture: &[u8]| {
+            let mut items = Vec::new();
+            Reader::new(Format::Auto).feed(capture, &mut |item| items.push(item)).unwrap();
+            items.len()
+        };
+        assert_eq!(first(b"3E 56 00 56 00"), 1);
+        assert_eq!(first(&[0x3E, 0x56, 0x00, 0x56, 0x00]), 1);
+        assert_eq!(first(b"12:00:01 out: [82,1] 01\n"), 1);
+    }
+
+    #[test]
+    fn a_line_that_is_too_long_for_a_log_is_one_line() {
+        let mut capture = vec![b'a'; 100_000];
+        capture.extend_from_slice(b"\n1 in: [67,2] 5D FF\n");
+        for piece in [1000, 4096, 65_536, 200_000] {
+            let items = read(Format::Log, &capture, piece);
+            assert_eq!(items[0], Item::Skipped { at: 1, length: 100_001, cause: Cause::NoStartByte });
+            assert!(matches!(&items[1], Item::Frame { at: 2, id: 67, .. }), "{items:?}");
+        }
     }
 
     #[test]

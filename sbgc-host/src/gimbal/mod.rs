@@ -30,6 +30,7 @@ use tokio::sync::{mpsc, oneshot, watch};
 use tokio::time::Instant;
 
 pub use answer::Answer;
+use options::LONGEST;
 pub use options::{Options, VersionChoice};
 
 use crate::link::session::{Call, Failure, Key};
@@ -87,7 +88,8 @@ impl Gimbal {
     {
         let shared = Arc::new(Shared::new(options.version.first()));
         let (commands, receiver) = mpsc::channel(CHANNEL);
-        let task = Task::new(Arc::clone(&shared), receiver, options.baud, options.gap, Instant::now());
+        let gap = options.gap.min(LONGEST);
+        let task = Task::new(Arc::clone(&shared), receiver, options.baud, gap, Instant::now());
         (Self { shared, commands, options }, Connection(Box::pin(task.run(io))))
     }
 
@@ -273,7 +275,8 @@ impl Gimbal {
     ) -> Result<Call> {
         self.check(command, &payload)?;
         let key = Key::of_request(command.raw(), &payload, answer.raw());
-        Ok(Call { command: command.raw(), payload, key, timeout: self.options.timeout, attempts })
+        let timeout = self.options.timeout.min(LONGEST);
+        Ok(Call { command: command.raw(), payload, key, timeout, attempts })
     }
 
     fn check(&self, command: CommandId, payload: &Bytes) -> Result<()> {

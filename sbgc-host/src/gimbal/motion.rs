@@ -9,6 +9,7 @@ use sbgc_proto::{CommandId, Message};
 use tokio::time::{Instant, sleep_until, timeout_at};
 
 use super::Gimbal;
+use super::options::LONGEST;
 use crate::streams::Sample;
 use crate::{Error, Result};
 
@@ -42,7 +43,7 @@ impl Gimbal {
     /// angles are asked for as well. Giving up by dropping the future does not stop the motion, and neither does
     /// [`Error::NotReached`].
     pub async fn control_and_wait(&self, control: &Control, within: Duration) -> Result<()> {
-        let deadline = Instant::now() + within;
+        let deadline = Instant::now() + within.min(LONGEST);
         let control = control.with_auto_task();
         let mut confirmations = self.listen(CommandId::CONFIRM);
         match timeout_at(deadline, self.confirm(&control)).await {

@@ -4,13 +4,14 @@
 //! waits for one of them alone, so a peer that does not read cannot stop us from reading, and a handle that asks too
 //! much waits in its own channel.
 
+use std::fmt;
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::{Buf, Bytes, BytesMut};
-use sbgc_proto::CommandId;
-use sbgc_proto::frame::{BOARD_BUFFER, MAX_PAYLOAD};
+use sbgc_proto::frame::{BOARD_BUFFER, MAX_PAYLOAD, Version};
+use sbgc_proto::{CommandId, Direction};
 use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 use tokio::sync::{mpsc, oneshot};
 use tokio::time::{Instant, sleep_until, timeout};
@@ -210,11 +211,11 @@ impl Task {
         let frame = match item {
             Item::Frame(frame) => frame,
             Item::Noise { cause, length } => {
-                tracing::trace!(%cause, length, "noise");
+                tracing::debug!("skipped {length} bytes: {cause}");
                 return;
             }
         };
-        tracing::trace!(id = frame.id, length = frame.payload.len(), "frame");
+        tracing::debug!("received {}", Shown(Direction::Incoming, frame.version, frame.id, &frame.payload));
         // Subscribers get it, too, whether or not it is an answer, and before the one who waits for that goes on.
         let taken = self.shared.publish(frame.id, &frame.payload);
         match self.session.on_frame(now, frame.id, &frame.payload) {
@@ -273,6 +274,7 @@ impl Task {
                 break;
             };
             codec::append(version, command, &payload, &mut self.batch).map_err(io::Error::other)?;
+            tracing::debug!("sent {}", Shown(Direction::Outgoing, version, command, &payload));
             frames += 1;
         }
         self.batch_length = self.batch.len();
@@ -316,5 +318,36 @@ impl Drop for Task {
             open
         });
         self.shared.end_listeners();
+    }
+}
+
+/// A frame as the log shows it: its name, and its payload in hex.
+struct Shown<'a>(Direction, Version, u8, &'a [u8]);
+
+impl fmt::Display for Shown<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(direction, version, id, payload) = *self;
+        let name = CommandId::from_raw(id).spec_name(direction).unwrap_or("unknown command");
+        write!(f, "{name} ({id}), version {}, {} bytes", version.number(), payload.len())?;
+        if !payload.is_empty() {
+            f.write_str(": ")?;
+        }
+        payload.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frames_are_shown_with_name_and_payload() {
+        let shown = |direction, id, payload: &[u8]| Shown(direction, Version::V2, id, payload).to_string();
+        assert_eq!(shown(Direction::Outgoing, 86, &[]), "CMD_BOARD_INFO (86), version 2, 0 bytes");
+        assert_eq!(
+            shown(Direction::Incoming, 67, &[0x5D, 0xFF]),
+            "CMD_CONFIRM (67), version 2, 2 bytes: 5dff"
+        );
+        assert_eq!(shown(Direction::Incoming, 200, &[1]), "unknown command (200), version 2, 1 bytes: 01");
     }
 }

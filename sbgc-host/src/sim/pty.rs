@@ -88,7 +88,7 @@ impl Link {
     fn new(link: &Path, target: &Path) -> io::Result<Self> {
         if fs::symlink_metadata(link).is_ok() {
             if !is_stale(link) {
-                let message = format!("{} is there already and no link to a terminal", link.display());
+                let message = "there is something already that is no link to a terminal; move it away first";
                 return Err(io::Error::new(io::ErrorKind::AlreadyExists, message));
             }
             fs::remove_file(link)?;

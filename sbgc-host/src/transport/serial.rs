@@ -40,7 +40,14 @@ fn explain(name: &str, path: PathBuf, error: &serialport::Error) -> Error {
             let group = group_of(&path);
             Error::PermissionDenied { path, group }
         }
-        ErrorKind::Io(io::ErrorKind::NotFound) => Error::NoSuchPort { name: name.into(), available: ports() },
+        ErrorKind::Io(io::ErrorKind::NotFound) => {
+            // A link that was left behind is there, and what it leads to is not.
+            let name = match path.read_link() {
+                Ok(target) => format!("{name} (a link to {}, which is gone)", target.display()),
+                Err(_) => name.into(),
+            };
+            Error::NoSuchPort { name, available: ports() }
+        }
         // The library says so of a port that is locked and, on Windows, of one that is not there.
         ErrorKind::NoDevice => {
             let available = ports();
@@ -50,11 +57,28 @@ fn explain(name: &str, path: PathBuf, error: &serialport::Error) -> Error {
                 Error::NoSuchPort { name: name.into(), available }
             }
         }
-        ErrorKind::Io(kind) => Error::Io(io::Error::new(kind, format!("{}: {error}", path.display()))),
-        ErrorKind::InvalidInput | ErrorKind::Unknown => {
-            Error::Io(io::Error::other(format!("{}: {error}", path.display())))
+        ErrorKind::Io(_) | ErrorKind::InvalidInput | ErrorKind::Unknown => {
+            // What the system says of a file that is opened like a terminal helps nobody.
+            let source = if is_device(&path) {
+                io::Error::other(error.to_string())
+            } else {
+                io::Error::new(io::ErrorKind::InvalidInput, "it is no serial port")
+            };
+            Error::Open { address: path.display().to_string(), source }
         }
     }
+}
+
+#[cfg(unix)]
+fn is_device(path: &Path) -> bool {
+    use std::os::unix::fs::FileTypeExt;
+
+    path.metadata().is_ok_and(|metadata| metadata.file_type().is_char_device())
+}
+
+#[cfg(not(unix))]
+fn is_device(_path: &Path) -> bool {
+    true
 }
 
 /// The group whose members may read and write a device.
@@ -103,6 +127,26 @@ mod tests {
         assert!(matches!(&error, Error::NoSuchPort { name, .. } if name == "ttyNotThere9"), "{error}");
         assert_eq!(path_of("ttyNotThere9"), Path::new("/dev/ttyNotThere9"));
         assert_eq!(path_of("/x/ttyUSB0"), Path::new("/x/ttyUSB0"));
+    }
+
+    #[tokio::test]
+    async fn a_file_is_no_port() {
+        let file = std::env::temp_dir().join(format!("sbgc-file-{}", std::process::id()));
+        std::fs::write(&file, "").unwrap();
+        let opened = open_serial(file.to_str().unwrap(), Line::default());
+        std::fs::remove_file(&file).unwrap();
+        let text = opened.unwrap_err().to_string();
+        assert_eq!(text, format!("cannot open {}: it is no serial port", file.display()));
+    }
+
+    #[tokio::test]
+    async fn a_link_that_leads_nowhere_says_where() {
+        let link = std::env::temp_dir().join(format!("sbgc-link-{}", std::process::id()));
+        std::os::unix::fs::symlink("/dev/pts/none", &link).unwrap();
+        let opened = open_serial(link.to_str().unwrap(), Line::default());
+        std::fs::remove_file(&link).unwrap();
+        let text = opened.unwrap_err().to_string();
+        assert!(text.contains("(a link to /dev/pts/none, which is gone)"), "{text}");
     }
 
     #[tokio::test]

@@ -8,8 +8,13 @@ use sbgc_proto::frame::Version;
 use crate::args::{Global, Protocol};
 use crate::failure::Failure;
 
-/// Opens the port and makes sure that a board answers.
-pub(crate) async fn connect(global: &Global) -> Result<(Gimbal, BoardInfo), Failure> {
+/// Opens the port, makes sure that a board answers, and does `work` with it.
+///
+/// However that ends, the streams are taken from the board and the port is given back.
+pub(crate) async fn with_board<T>(
+    global: &Global,
+    work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     let address = address(global)?;
     tracing::info!("opening {address}");
     let line = Line { baud: global.baud, ..Line::default() };
@@ -23,16 +28,27 @@ pub(crate) async fn connect(global: &Global) -> Result<(Gimbal, BoardInfo), Fail
         baud: address.baud(line),
         ..Options::default()
     };
-    let io = match address.open(line).await {
-        Err(sbgc_host::Error::Io(source)) => {
-            return Err(Failure::File { place: address.to_string(), source });
+    let gimbal = Gimbal::spawn(address.open(line).await?, options);
+    let outcome = match gimbal.handshake().await {
+        Ok(info) => {
+            let version = gimbal.version().number();
+            let (board, firmware) = (info.board_ver.number(), info.firmware_ver);
+            tracing::info!("board {board}, firmware {firmware}, talking in version {version}");
+            work(gimbal.clone(), info).await
         }
-        opened => opened?,
+        Err(source @ sbgc_host::Error::Timeout { .. }) => {
+            let place = match options.baud {
+                Some(baud) => format!("{address} at {baud} baud"),
+                None => address.to_string(),
+            };
+            Err(Failure::NoBoard { place, protocol: global.protocol, source })
+        }
+        Err(error) => Err(error.into()),
     };
-    let gimbal = Gimbal::spawn(io, options);
-    let info = gimbal.handshake().await?;
-    tracing::info!("board {}, firmware {}", info.board_ver.number(), info.firmware_ver);
-    Ok((gimbal, info))
+    let counters = gimbal.clone();
+    gimbal.close().await;
+    tracing::info!("{}", counters.counters());
+    outcome
 }
 
 fn address(global: &Global) -> Result<Address, Failure> {

@@ -1,11 +1,7 @@
 //! Fields of messages as text and as JSON, from what they say of themselves.
 
-use std::io;
-
 use sbgc_proto::reflect::{self, Describe, Leaf, Meaning, Raw, Scalar};
 use serde_json::{Map, Number, Value, json};
-
-use crate::output::Output;
 
 /// One field as JSON.
 pub(crate) fn to_json(leaf: &Leaf<'_>) -> Value {
@@ -37,19 +33,47 @@ pub(crate) fn value_text(leaf: &Leaf<'_>) -> String {
         (Raw::Number(raw), Some(label)) if has_names(leaf) => format!("{label} ({raw})"),
         (Raw::Number(raw), Some(label)) => format!("{raw} ({label})"),
         (Raw::Number(_), None) => {
-            let value = leaf.value().unwrap_or_default();
             let unit = leaf.unit();
-            // Enough digits for every scale of the protocol, without the noise of binary fractions.
-            let number = trim_zeros(format!("{value:.6}"));
+            let number = trim_zeros(number_text(leaf));
             if unit.is_empty() { number } else { format!("{number} {unit}") }
         }
     }
 }
 
+/// The value of a field by its name alone, where it has one.
+pub(crate) fn label_text(leaf: &Leaf<'_>) -> String {
+    match leaf.label() {
+        Some(label) if has_names(leaf) => label.to_string(),
+        _ => value_text(leaf),
+    }
+}
+
+/// The value of a number with as many digits as tell it from its neighbours, so that no binary fractions show.
+pub(crate) fn number_text(leaf: &Leaf<'_>) -> String {
+    let value = leaf.value().unwrap_or_default();
+    match leaf.number {
+        _ if is_float(leaf) => float_text(value),
+        Some(number) if number.is_scaled() => {
+            let step = (number.multiply / number.divide).abs();
+            let digits = (0..12).find(|&digits| step * 10_f64.powi(digits) >= 0.999).unwrap_or(12);
+            format!("{value:.*}", usize::try_from(digits).unwrap_or_default())
+        }
+        _ => format!("{value}"),
+    }
+}
+
+fn float_text(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() || (1e-4..1e9).contains(&value.abs()) {
+        format!("{value:.6}")
+    } else {
+        format!("{value:.6e}")
+    }
+}
+
 fn trim_zeros(number: String) -> String {
     match number.trim_end_matches('0').trim_end_matches('.') {
+        _ if !number.contains('.') || number.contains('e') => number,
         "-0" => String::from("0"),
-        _ if !number.contains('.') => number,
         trimmed => trimmed.to_owned(),
     }
 }
@@ -107,26 +131,22 @@ pub(crate) fn add_leaf(object: &mut Map<String, Value>, leaf: &Leaf<'_>) {
     object.insert(leaf.path.to_string(), value);
 }
 
-/// Prints the fields of `message`, one a line.
-pub(crate) fn print<M: Describe>(output: &mut Output, message: &M) -> io::Result<()> {
-    let mut lines = Vec::new();
+/// Paths and values of the fields of `message` that are not zero, and how many are.
+pub(crate) fn that_say_something<M: Describe>(message: &M) -> (Vec<(String, String)>, usize) {
+    let (mut lines, mut zeros) = (Vec::new(), 0);
     reflect::walk(message, &mut |leaf: &Leaf<'_>| {
-        if !leaf.field.reserved {
-            lines.push(to_text(leaf));
+        let silent = match leaf.raw {
+            Raw::Number(raw) => raw == 0,
+            Raw::Bytes(bytes) | Raw::Text(bytes) => bytes.iter().all(|byte| *byte == 0),
+        };
+        if leaf.field.reserved {
+        } else if silent {
+            zeros += 1;
+        } else {
+            lines.push((leaf.path.to_string(), value_text(leaf)));
         }
     });
-    lines.iter().try_for_each(|line| output.line(line))
-}
-
-/// The fields of `message` on one line.
-pub(crate) fn on_one_line<M: Describe>(message: &M) -> String {
-    let mut texts = Vec::new();
-    reflect::walk(message, &mut |leaf: &Leaf<'_>| {
-        if !leaf.field.reserved {
-            texts.push(format!("{}={}", leaf.path, value_text(leaf).replace(' ', "")));
-        }
-    });
-    texts.join("  ")
+    (lines, zeros)
 }
 
 /// Whether a value is shown by its name alone.

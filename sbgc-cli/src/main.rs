@@ -9,12 +9,16 @@ mod connect;
 mod failure;
 mod fields;
 mod output;
+mod signals;
+mod table;
 
+use std::io::IsTerminal as _;
 use std::process::ExitCode;
 
 use clap::Parser as _;
 
 use crate::args::Arguments;
+use crate::failure::Failure;
 use crate::output::Output;
 
 fn main() -> ExitCode {
@@ -24,7 +28,7 @@ fn main() -> ExitCode {
     let result = tokio::runtime::Builder::new_current_thread()
         .enable_all()
         .build()
-        .map_err(failure::Failure::from)
+        .map_err(|source| Failure::File { place: String::from("starting up"), source })
         .and_then(|runtime| runtime.block_on(commands::run(arguments, &mut output)));
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -35,10 +39,17 @@ fn main() -> ExitCode {
 /// Talk goes to standard error, so that standard output holds data alone.
 fn log_to_stderr(verbose: u8) {
     let level = match verbose {
-        0 => tracing::Level::WARN,
+        // What goes wrong is said when the command fails, and once is enough.
+        0 => tracing::Level::ERROR,
         1 => tracing::Level::INFO,
         2 => tracing::Level::DEBUG,
         _ => tracing::Level::TRACE,
     };
-    tracing_subscriber::fmt().with_max_level(level).with_writer(std::io::stderr).with_target(false).init();
+    tracing_subscriber::fmt()
+        .with_max_level(level)
+        .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal())
+        .with_target(false)
+        .with_timer(tracing_subscriber::fmt::time::uptime())
+        .init();
 }

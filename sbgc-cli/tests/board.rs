@@ -21,7 +21,7 @@ fn everything(port: &str, protocol: &str) {
         arguments.extend(rest);
         success(&arguments)
     };
-    assert!(stdout(&with(&["info"])).contains("firmware_ver = 2."));
+    assert!(stdout(&with(&["info"])).contains("firmware_ver     2."));
     let info = objects(&with(&["info", "--json"]));
     assert!(info[0]["board_ver"].is_number() && info[0]["eeprom_size"].is_number(), "{info:?}");
 
@@ -36,7 +36,9 @@ fn everything(port: &str, protocol: &str) {
     assert_eq!(samples.len(), 5);
     let times: Vec<u64> = samples.iter().map(|sample| sample["timestamp_ms"].as_u64().unwrap()).collect();
     assert!(times.windows(2).all(|pair| pair[0] < pair[1]), "{times:?}");
-    assert_eq!(stdout(&with(&["stream", "--count", "2", "--data", "IMU_ANGLES"])).lines().count(), 2);
+    let lines = stdout(&with(&["stream", "--count", "2", "--data", "IMU_ANGLES"]));
+    assert_eq!(lines.lines().count(), 4, "two lines of names, two of values: {lines}");
+    assert!(lines.starts_with("timestamp_ms (ms)"), "{lines}");
 
     let params = stdout(&with(&["params", "get"]));
     assert!(params.lines().count() > 100, "{params}");
@@ -73,6 +75,8 @@ fn the_link_goes_when_the_board_is_stopped() {
     let link = board.link();
     assert!(link.exists());
     success(&["--port", link.to_str().unwrap(), "info"]);
+    board.stop();
+    assert!(link.symlink_metadata().is_err());
 }
 
 #[test]
@@ -88,7 +92,9 @@ fn nobody_at_the_other_end_is_said_in_time() {
     let began = Instant::now();
     let output = run(&["--port", &pair.1, "--timeout", "100", "info"]);
     assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
-    assert!(stderr(&output).contains("CMD_BOARD_INFO"), "{}", stderr(&output));
+    for part in [&pair.1, "115200 baud", "versions 2 and 1 tried", "CMD_BOARD_INFO", "5 attempts"] {
+        assert!(stderr(&output).contains(part), "{part:?} is not in: {}", stderr(&output));
+    }
     assert!(began.elapsed() < Duration::from_secs(20));
 }
 
@@ -129,6 +135,138 @@ fn hostile_noise_neither_stops_nor_hangs_the_program() {
     let output = run(&["--port", &port, "--timeout", "100", "info"]);
     assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
     hostile.join().unwrap();
+}
+
+/// What passes the link while somebody looks at the board for a while.
+fn frames_nobody_asked_for(port: &str) -> String {
+    // Samples that were on their way when the stream ended.
+    success(&["--port", port, "angles"]);
+    let output =
+        success(&["--port", port, "-v", "stream", "--data", "GYRO_DATA", "--interval", "50", "--count", "5"]);
+    let talk = stderr(&output);
+    let counters = talk.lines().find(|line| line.contains("frames sent")).expect("-v counts at the end");
+    counters.to_owned()
+}
+
+/// Starts a stream of many samples a second and hands over the program and its output once the first came.
+fn streaming(port: &str) -> (std::process::Child, impl std::io::BufRead + use<>) {
+    use std::io::BufRead as _;
+
+    let mut command = common::sbgc();
+    command.args(["--port", port, "stream", "--interval", "2", "--json"]);
+    command.stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut lines = std::io::BufReader::new(child.stdout.take().unwrap());
+    let mut first = String::new();
+    lines.read_line(&mut first).unwrap();
+    assert!(first.contains("timestamp_ms"), "{first}");
+    (child, lines)
+}
+
+#[test]
+fn a_stream_is_taken_from_the_board_however_it_is_stopped() {
+    let board = Board::start();
+    for signal in ["INT", "TERM"] {
+        let (child, output) = streaming(&board.port());
+        let kill = std::process::Command::new("kill")
+            .args(["-s", signal, &child.id().to_string()])
+            .status()
+            .unwrap();
+        assert!(kill.success());
+        std::thread::spawn(move || std::io::copy(&mut { output }, &mut std::io::sink()));
+        let ended = child.wait_with_output().unwrap();
+        assert_eq!(ended.status.code(), Some(0), "{signal}: {}", stderr(&ended));
+        assert_eq!(stderr(&ended), "");
+        let counters = frames_nobody_asked_for(&board.port());
+        assert!(!counters.contains("nobody asked for"), "after {signal}: {counters}");
+    }
+    // Whoever read the output has had enough.
+    let (child, output) = streaming(&board.port());
+    drop(output);
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(0), "{}", stderr(&ended));
+    assert_eq!(stderr(&ended), "");
+    let counters = frames_nobody_asked_for(&board.port());
+    assert!(!counters.contains("nobody asked for"), "after a closed pipe: {counters}");
+}
+
+#[test]
+fn a_board_that_goes_away_ends_the_stream_with_an_error() {
+    let board = Board::start();
+    let (child, output) = streaming(&board.port());
+    drop(board);
+    std::thread::spawn(move || std::io::copy(&mut { output }, &mut std::io::sink()));
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(1));
+    let said = stderr(&ended);
+    assert_eq!(
+        said,
+        "sbgc: the connection to the board was lost; check cable and power, then connect again\n"
+    );
+}
+
+#[test]
+fn one_program_at_a_time_has_the_port() {
+    let board = Board::start();
+    let (mut child, output) = streaming(&board.port());
+    let second = run(&["--port", &board.port(), "info"]);
+    assert_eq!(second.status.code(), Some(1));
+    assert!(stderr(&second).contains("in use by another program"), "{}", stderr(&second));
+    // The one that has it may be killed and leaves nothing behind that hinders the next.
+    child.kill().unwrap();
+    child.wait().unwrap();
+    drop(output);
+    // The board finds the lock that was left behind within a moment.
+    let end = Instant::now() + Duration::from_secs(10);
+    while !run(&["--port", &board.port(), "info"]).status.success() {
+        assert!(Instant::now() < end, "the port is free again");
+    }
+}
+
+#[test]
+fn a_board_that_was_killed_is_replaced_under_its_link() {
+    let board = Board::start();
+    let (link, directory) = board.kill();
+    assert!(link.symlink_metadata().is_ok(), "it could not remove the link");
+    let again = Board::start_in(directory);
+    success(&["--port", &again.port(), "info"]);
+}
+
+#[test]
+fn every_frame_is_shown_to_those_who_ask() {
+    let output = success(&["--port", "sim", "-vv", "motors", "on"]);
+    let talk = stderr(&output);
+    for part in [
+        "sent CMD_BOARD_INFO (86), version 2, 0 bytes",
+        "received CMD_BOARD_INFO (86), version 2, 18 bytes: ",
+        "sent CMD_MOTORS_ON (77)",
+        "received CMD_CONFIRM (67), version 2, ",
+        "frames sent",
+    ] {
+        assert!(talk.contains(part), "{part:?} is not in: {talk}");
+    }
+    assert!(!talk.contains('\u{1B}'), "no colours where nobody sees them: {talk}");
+    assert_eq!(stdout(&output), "motors on\n");
+}
+
+#[test]
+fn a_board_on_tcp_says_its_port_and_takes_one_after_the_other() {
+    use std::io::BufRead as _;
+
+    let mut command = common::sbgc();
+    command.args(["sim", "--tcp", "localhost:0"]).stdout(std::process::Stdio::piped());
+    let mut board = command.spawn().unwrap();
+    let mut port = String::new();
+    std::io::BufReader::new(board.stdout.take().unwrap()).read_line(&mut port).unwrap();
+    assert!(port.starts_with("tcp://") && !port.ends_with(":0\n"), "{port}");
+    for _ in 0..3 {
+        success(&["--port", port.trim(), "angles"]);
+    }
+    let taken = run(&["sim", "--tcp", port.trim().trim_start_matches("tcp://")]);
+    assert_eq!(taken.status.code(), Some(1));
+    assert!(stderr(&taken).contains(port.trim()), "{}", stderr(&taken));
+    board.kill().unwrap();
+    board.wait().unwrap();
 }
 
 /// A pseudo-terminal: the master, and the name of the other side.

@@ -54,3 +54,52 @@ fn help_shows_the_exit_codes() {
     assert!(output.status.success());
     assert!(common::stdout(&output).contains("3 no answer from a board"));
 }
+
+#[test]
+fn what_cannot_be_waited_for_is_no_usage() {
+    for (arguments, expected) in [
+        (
+            &["control", "angle", "--pitch", "1", "--wait", "--patience", "18446744073709551615"][..],
+            "--patience",
+        ),
+        (&["--timeout", "18446744073709551615", "info"], "--timeout"),
+        (&["--baud", "0", "info"], "--baud"),
+        (&["stream", "--count", "0"], "--count"),
+        (&["control", "angle", "--pitch", "1", "--speed", "-5"], "0.13 to 4000"),
+        (&["sim", "--tcp", "nowhere"], "127.0.0.1:4001"),
+    ] {
+        let output = common::sbgc().env("SBGC_PORT", "sim").args(arguments).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
+        assert!(stderr(&output).contains(expected), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+#[test]
+fn a_place_that_does_not_fit_is_named_once() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("file");
+    std::fs::write(&file, "kept").unwrap();
+    let path = file.to_str().unwrap();
+    for arguments in [&["--port", path, "info"][..], &["sim", "--pty", "--link", path]] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(1));
+        assert_eq!(stderr(&output).matches(path).count(), 1, "{}", stderr(&output));
+    }
+    assert_eq!(std::fs::read(&file).unwrap(), b"kept");
+}
+
+#[test]
+fn a_board_that_refuses_is_told_from_one_that_is_silent() {
+    let output = run(&["--port", "sim", "stream", "--data", "MAIN_IMU_STATE"]);
+    assert_eq!(output.status.code(), Some(4), "{}", stderr(&output));
+    let message = stderr(&output);
+    assert!(message.contains("CMD_DATA_STREAM_INTERVAL: the board refused with error "), "{message}");
+}
+
+#[test]
+fn help_has_examples() {
+    for command in ["stream", "params", "decode", "encode", "sim"] {
+        let help = run(&[command, "--help"]);
+        assert!(common::stdout(&help).contains("Examples:\n  "), "{command}");
+    }
+}

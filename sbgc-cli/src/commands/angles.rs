@@ -4,7 +4,7 @@ use clap::Args;
 use serde_json::{Map, Value};
 
 use crate::args::Global;
-use crate::connect::connect;
+use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::fields;
 use crate::output::Output;
@@ -14,8 +14,7 @@ pub(crate) struct Angles {}
 
 impl Angles {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        let (gimbal, _) = connect(global).await?;
-        let angles = gimbal.angles().await?;
+        let angles = with_board(global, async |gimbal, _| Ok(gimbal.angles().await?)).await?;
         if output.is_json() {
             let mut object = Map::new();
             fields::add_to_object(&mut object, &angles);

@@ -9,7 +9,7 @@ use sbgc_proto::units::{Angle, ControlRate};
 use sbgc_proto::wire::PerAxis;
 
 use crate::args::Global;
-use crate::connect::connect;
+use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::output::Output;
 
@@ -22,6 +22,8 @@ pub(crate) struct Control {
 #[derive(Debug, Subcommand)]
 enum What {
     /// Turn to angles; axes that are not named are left to themselves
+    ///
+    /// Says "accepted" as soon as the board has taken the command, with --wait "reached" when the gimbal is there.
     Angle(ToAngle),
 }
 
@@ -47,7 +49,7 @@ struct ToAngle {
     target: Target,
 
     /// Speed in degrees a second; the board's own setting when left out
-    #[arg(long, value_name = "DEG/S", value_parser = speed)]
+    #[arg(long, allow_negative_numbers = true, value_name = "DEG/S", value_parser = speed)]
     speed: Option<ControlRate>,
 
     /// Wait until the angles are reached
@@ -55,7 +57,7 @@ struct ToAngle {
     wait: bool,
 
     /// How long to wait for that, in seconds
-    #[arg(long, default_value_t = 30, value_name = "S")]
+    #[arg(long, requires = "wait", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "S")]
     patience: u64,
 }
 
@@ -85,15 +87,18 @@ impl Control {
 
 impl ToAngle {
     async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        let (gimbal, _) = connect(global).await?;
         let Target { roll, pitch, yaw } = self.target;
         let target = PerAxis { roll, pitch, yaw };
         let speed = self.speed.unwrap_or_default();
-        if self.wait {
-            gimbal.move_to(target, speed, Duration::from_secs(self.patience)).await?;
-        } else {
-            gimbal.confirm(&ControlCommand::some_angles(target, speed)).await?;
-        }
+        with_board(global, async |gimbal, _| {
+            if self.wait {
+                gimbal.move_to(target, speed, Duration::from_secs(self.patience)).await?;
+            } else {
+                gimbal.confirm(&ControlCommand::some_angles(target, speed)).await?;
+            }
+            Ok(())
+        })
+        .await?;
         let word = if self.wait { "reached" } else { "accepted" };
         if output.is_json() {
             let degrees = |angle: Option<Angle>| angle.map(Angle::degrees);

@@ -15,6 +15,12 @@ use crate::failure::Failure;
 use crate::fields;
 use crate::output::Output;
 
+pub(super) const EXAMPLES: &str = "Examples:
+  sbgc decode capture.bin
+  sbgc decode --json --direction incoming < capture.bin
+  echo 3E 56 00 56 00 | sbgc decode
+  sbgc decode --from log serial_debug.txt";
+
 #[derive(Args, Debug)]
 pub(crate) struct Decode {
     /// The capture; standard input when left out, or for `-`

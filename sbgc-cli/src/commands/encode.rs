@@ -10,6 +10,11 @@ use crate::args::{Global, Protocol};
 use crate::failure::Failure;
 use crate::output::Output;
 
+pub(super) const EXAMPLES: &str = "Examples:
+  sbgc encode BOARD_INFO
+  sbgc encode READ_PARAMS profile_id=1
+  sbgc encode MOTORS_OFF mode=1 --protocol 1";
+
 #[derive(Args, Debug)]
 pub(crate) struct Encode {
     /// The spec's name of the command, with or without CMD_

@@ -19,6 +19,8 @@ use crate::output::Output;
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Show what the board is: versions, features, ids
+    ///
+    /// Fields that are 0 are left out of the text; --json has all of them.
     Info(info::Info),
     /// Show where the gimbal points
     Angles(angles::Angles),
@@ -27,14 +29,26 @@ pub(crate) enum Command {
     /// Switch the motors
     Motors(motors::Motors),
     /// Show live data
+    ///
+    /// Runs until it is interrupted, the output is closed or --count is reached; the stream is then taken from the board.
+    #[command(after_help = stream::EXAMPLES)]
     Stream(stream::Stream),
     /// Read parameters
+    #[command(after_help = params::EXAMPLES)]
     Params(params::Params),
     /// Explain captured traffic
+    ///
+    /// Shows each frame with all its fields, and each run of bytes that are no frame with the cause. What comes through a
+    /// pipe is shown as it comes. Answers that only their request explains are read with what was seen before.
+    #[command(after_help = decode::EXAMPLES)]
     Decode(decode::Decode),
     /// Make a frame from a command's name and fields
+    #[command(after_help = encode::EXAMPLES)]
     Encode(encode::Encode),
     /// Serve a simulated board
+    ///
+    /// The first line of the output is the port for other programs; it runs until it is stopped.
+    #[command(after_help = sim::EXAMPLES)]
     Sim(sim::Sim),
 }
 

@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum};
 use sbgc_proto::commands::MotorsOffMode;
 
 use crate::args::Global;
-use crate::connect::connect;
+use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::output::Output;
 
@@ -25,17 +25,19 @@ enum Switch {
 
 impl Motors {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        let (gimbal, _) = connect(global).await?;
-        let (state, word) = match self.switch {
-            Switch::On => {
-                gimbal.motors_on().await?;
-                (true, "on")
-            }
-            Switch::Off => {
-                gimbal.motors_off(MotorsOffMode::Normal).await?;
-                (false, "off")
-            }
-        };
+        let (state, word) = with_board(global, async |gimbal, _| {
+            Ok(match self.switch {
+                Switch::On => {
+                    gimbal.motors_on().await?;
+                    (true, "on")
+                }
+                Switch::Off => {
+                    gimbal.motors_off(MotorsOffMode::Normal).await?;
+                    (false, "off")
+                }
+            })
+        })
+        .await?;
         if output.is_json() {
             output.object(&serde_json::json!({ "motors_on": state }))?;
         } else {

@@ -6,10 +6,15 @@ use sbgc_proto::reflect::{self, Leaf};
 use serde_json::{Map, Value, json};
 
 use crate::args::Global;
-use crate::connect::connect;
+use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::fields;
 use crate::output::Output;
+
+pub(super) const EXAMPLES: &str = "Examples:
+  sbgc params get
+  sbgc params get motors.pitch rc_memory
+  sbgc params get --profile 2 --json";
 
 #[derive(Args, Debug)]
 pub(crate) struct Params {
@@ -20,6 +25,7 @@ pub(crate) struct Params {
 #[derive(Debug, Subcommand)]
 enum What {
     /// Show parameters
+    #[command(after_help = EXAMPLES)]
     Get(Get),
 }
 
@@ -51,8 +57,7 @@ impl Params {
 
 impl Get {
     async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        let (gimbal, _) = connect(global).await?;
-        let params = gimbal.params3(self.profile).await?;
+        let params = with_board(global, async |gimbal, _| Ok(gimbal.params3(self.profile).await?)).await?;
         let mut found = vec![false; self.names.len()];
         let mut lines = Vec::new();
         let mut object = Map::new();

@@ -1,7 +1,6 @@
 //! `sbgc sim`: a simulated board for other programs.
 
 use std::io;
-use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::pin::Pin;
 
@@ -14,6 +13,13 @@ use tokio::net::TcpListener;
 
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::signals::stopped;
+
+type Serving = Pin<Box<dyn Future<Output = io::Result<()>>>>;
+
+pub(super) const EXAMPLES: &str = "Examples:
+  sbgc sim --pty --link /tmp/gimbal     then: sbgc --port /tmp/gimbal info
+  sbgc sim --tcp 127.0.0.1:4001         then: sbgc --port tcp://127.0.0.1:4001 info";
 
 #[derive(Args, Debug)]
 #[command(group = ArgGroup::new("place").required(true).args(["pty", "tcp"]))]
@@ -26,26 +32,40 @@ pub(crate) struct Sim {
     #[arg(long, requires = "pty", value_name = "PATH")]
     link: Option<PathBuf>,
 
-    /// Serve on this address, such as 127.0.0.1:4001
-    #[arg(long, value_name = "ADDR")]
-    tcp: Option<SocketAddr>,
+    /// Serve on this address, such as 127.0.0.1:4001; with port 0 on any free one
+    #[arg(long, value_name = "HOST:PORT", value_parser = host_and_port)]
+    tcp: Option<String>,
+}
+
+fn host_and_port(text: &str) -> Result<String, String> {
+    let wanted = || String::from("HOST:PORT is wanted, such as 127.0.0.1:4001");
+    let (host, port) = text.rsplit_once(':').ok_or_else(wanted)?;
+    if host.is_empty() || port.parse::<u16>().is_err() {
+        return Err(wanted());
+    }
+    Ok(text.to_owned())
 }
 
 impl Sim {
     pub(crate) async fn run(self, output: &mut Output) -> Result<(), Failure> {
         let board = Board::new(Config::default());
-        let serving: Pin<Box<dyn Future<Output = io::Result<()>>>> = match self.tcp {
+        let place = match (&self.tcp, &self.link) {
+            (Some(address), _) => format!("tcp://{address}"),
+            (None, Some(link)) => link.display().to_string(),
+            (None, None) => String::from("pseudo-terminal"),
+        };
+        let failed = |source| Failure::File { place: place.clone(), source };
+        let serving: Serving = match &self.tcp {
             Some(address) => {
-                let place = format!("tcp://{address}");
-                let listener =
-                    TcpListener::bind(address).await.map_err(|source| Failure::File { place, source })?;
-                announce(output, &format!("tcp://{}", listener.local_addr()?))?;
+                let listener = TcpListener::bind(address).await.map_err(failed)?;
+                let bound = listener.local_addr().map_err(failed)?;
+                announce(output, &format!("tcp://{bound}"))?;
                 Box::pin(sim::serve_tcp(board, listener))
             }
-            None => Box::pin(self.on_terminal(board, output)?),
+            None => self.on_terminal(board, output, failed)?,
         };
         tokio::select! {
-            served = serving => served?,
+            served = serving => served.map_err(failed)?,
             // Whatever ends the program, the link to the terminal goes with it.
             () = stopped() => {}
         }
@@ -57,19 +77,20 @@ impl Sim {
         &self,
         mut board: Board,
         output: &mut Output,
-    ) -> Result<impl Future<Output = io::Result<()>> + use<>, Failure> {
-        let place = self
-            .link
-            .as_ref()
-            .map_or_else(|| String::from("pseudo-terminal"), |link| link.display().to_string());
-        let mut terminal =
-            Pty::open(self.link.as_deref()).map_err(|source| Failure::File { place, source })?;
+        failed: impl Fn(io::Error) -> Failure,
+    ) -> Result<Serving, Failure> {
+        let mut terminal = Pty::open(self.link.as_deref()).map_err(failed)?;
         announce(output, &terminal.link().unwrap_or(terminal.path()).display().to_string())?;
-        Ok(async move { terminal.serve(&mut board).await })
+        Ok(Box::pin(async move { terminal.serve(&mut board).await }))
     }
 
     #[cfg(not(unix))]
-    fn on_terminal(&self, _: Board, _: &mut Output) -> Result<std::future::Ready<io::Result<()>>, Failure> {
+    fn on_terminal(
+        &self,
+        _: Board,
+        _: &mut Output,
+        _: impl Fn(io::Error) -> Failure,
+    ) -> Result<Serving, Failure> {
         Err(Failure::Usage(String::from("there are no pseudo-terminals on this system; use --tcp")))
     }
 }
@@ -82,22 +103,4 @@ fn announce(output: &mut Output, place: &str) -> io::Result<()> {
         output.line(place)?;
     }
     output.flush()
-}
-
-#[cfg(unix)]
-async fn stopped() {
-    use tokio::signal::unix::{SignalKind, signal};
-
-    match signal(SignalKind::terminate()) {
-        Ok(mut terminate) => tokio::select! {
-            _ = tokio::signal::ctrl_c() => {}
-            _ = terminate.recv() => {}
-        },
-        Err(_) => drop(tokio::signal::ctrl_c().await),
-    }
-}
-
-#[cfg(not(unix))]
-async fn stopped() {
-    drop(tokio::signal::ctrl_c().await);
 }

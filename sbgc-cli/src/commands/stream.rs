@@ -1,29 +1,36 @@
 //! `sbgc stream`: live data.
 
 use clap::Args;
-use sbgc_host::StreamRequest;
 use sbgc_host::streams::Item;
+use sbgc_host::{Gimbal, StreamRequest};
 use sbgc_proto::commands::{RealtimeDataCustom, RealtimeDataCustomFlags, StreamSource};
 use serde_json::{Map, Value, json};
 
 use crate::args::Global;
-use crate::connect::connect;
+use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::fields;
 use crate::output::Output;
+use crate::signals::stopped;
+use crate::table::{Cell, Table};
+
+pub(super) const EXAMPLES: &str = "Examples:
+  sbgc stream
+  sbgc stream --data imu_angles,gyro_data --interval 10 --json
+  sbgc stream --data SYSTEM_POWER_STATE --interval 1000 --count 60";
 
 #[derive(Args, Debug)]
 pub(crate) struct Stream {
-    /// What to show: names of CMD_REALTIME_DATA_CUSTOM flags
-    #[arg(long, value_delimiter = ',', default_value = "IMU_ANGLES,TARGET_ANGLES,TARGET_SPEED", value_parser = flag)]
+    /// What to show: names of CMD_REALTIME_DATA_CUSTOM flags, with commas between
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "IMU_ANGLES,TARGET_ANGLES,TARGET_SPEED", value_parser = flag)]
     data: Vec<RealtimeDataCustomFlags>,
 
-    /// Time between samples in milliseconds; 1 is every cycle of the board, 0.8 ms
+    /// Time between samples in milliseconds, at most 65535; 1 is every cycle of the board, 0.8 ms
     #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..), value_name = "MS")]
     interval: u16,
 
     /// End after so many samples
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     count: Option<u64>,
 }
 
@@ -42,38 +49,57 @@ fn flag(name: &str) -> Result<RealtimeDataCustomFlags, String> {
 
 impl Stream {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
+        with_board(global, async |gimbal, _| {
+            tokio::select! {
+                biased;
+                // The stream is taken from the board before the program ends.
+                () = stopped() => Ok(()),
+                shown = self.show(&gimbal, output) => shown,
+            }
+        })
+        .await
+    }
+
+    async fn show(&self, gimbal: &Gimbal, output: &mut Output) -> Result<(), Failure> {
         let flags = self.data.iter().copied().fold(RealtimeDataCustomFlags::empty(), |all, flag| all | flag);
-        let (gimbal, _) = connect(global).await?;
         let request = StreamRequest::of(StreamSource::RealtimeDataCustom(flags), self.interval);
         let samples = gimbal.subscribe(request).await?;
         let mut samples = samples.typed_with::<RealtimeDataCustom, _>(flags);
+        let mut table = None;
         let mut left = self.count.unwrap_or(u64::MAX);
         while left > 0 {
-            let sample = tokio::select! {
-                sample = samples.next() => sample,
-                // The stream is taken from the board before the program ends.
-                _ = tokio::signal::ctrl_c() => None,
-            };
-            match sample {
-                None => break,
-                Some(Item::Lagged(lost)) if output.is_json() => output.object(&json!({ "lost": lost }))?,
-                Some(Item::Lagged(lost)) => output.line(format_args!("({lost} samples lost)"))?,
+            let data = match samples.next().await {
+                None => return Err(sbgc_host::Error::Disconnected.into()),
                 Some(Item::Undecoded(error)) => return Err(sbgc_host::Error::from(error).into()),
-                Some(Item::Message(data)) => {
-                    left -= 1;
+                Some(Item::Lagged(lost)) => {
                     if output.is_json() {
-                        let mut object = Map::new();
-                        fields::add_to_object(&mut object, &data);
-                        output.object(&Value::Object(object))?;
+                        output.object(&json!({ "lost": lost }))?;
                     } else {
-                        output.line(fields::on_one_line(&data))?;
+                        output.line(format_args!("({lost} samples lost)"))?;
                     }
+                    continue;
                 }
+                Some(Item::Message(data)) => data,
+            };
+            left -= 1;
+            if output.is_json() {
+                let mut object = Map::new();
+                fields::add_to_object(&mut object, &data);
+                output.object(&Value::Object(object))?;
+            } else {
+                let cells = Cell::of(&data);
+                let table = match &table {
+                    Some(table) => table,
+                    None => {
+                        let new = Table::for_cells(&cells);
+                        new.header().iter().try_for_each(|line| output.line(line))?;
+                        table.insert(new)
+                    }
+                };
+                output.line(table.row(&cells))?;
             }
             output.flush()?;
         }
-        drop(samples);
-        gimbal.close().await;
         Ok(())
     }
 }

@@ -54,13 +54,17 @@ pub(crate) fn objects(output: &Output) -> Vec<Value> {
 /// A simulated board on a pseudo-terminal, served by the program itself.
 pub(crate) struct Board {
     child: Child,
-    directory: tempfile::TempDir,
+    directory: Option<tempfile::TempDir>,
 }
 
 impl Board {
     /// Starts it and waits until it says where it is.
     pub(crate) fn start() -> Self {
-        let directory = tempfile::tempdir().expect("a place for the link");
+        Self::start_in(tempfile::tempdir().expect("a place for the link"))
+    }
+
+    /// The same with its link in `directory`.
+    pub(crate) fn start_in(directory: tempfile::TempDir) -> Self {
         let link = directory.path().join("gimbal");
         let mut command = sbgc();
         command.args(["sim", "--pty", "--link"]).arg(&link).stdout(Stdio::piped());
@@ -70,7 +74,23 @@ impl Board {
             .read_line(&mut first)
             .expect("a first line");
         assert!(first.contains(link.to_str().expect("text")), "the first line says where it is: {first:?}");
-        Board { child, directory }
+        Board { child, directory: Some(directory) }
+    }
+
+    /// Ends it without asking; the link stays.
+    pub(crate) fn kill(mut self) -> (PathBuf, tempfile::TempDir) {
+        let link = self.link();
+        self.child.kill().expect("it runs");
+        self.child.wait().expect("it ends");
+        (link, self.directory.take().expect("it is there until now"))
+    }
+
+    /// Asks it to end, and waits for that.
+    pub(crate) fn stop(mut self) {
+        let id = self.child.id().to_string();
+        let asked = Command::new("kill").args(["-s", "TERM", &id]).status().expect("kill is there");
+        assert!(asked.success());
+        assert!(self.child.wait().expect("it ends").success());
     }
 
     /// The port under which it is found.
@@ -79,7 +99,7 @@ impl Board {
     }
 
     pub(crate) fn link(&self) -> PathBuf {
-        self.directory.path().join("gimbal")
+        self.directory.as_ref().expect("it is there until it is killed").path().join("gimbal")
     }
 }
 

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use serialport::ErrorKind;
+use serialport::{ClearBuffer, ErrorKind, SerialPort as _};
 use tokio_serial::{SerialPortBuilderExt, SerialStream};
 
 use super::{Line, Parity, ports};
@@ -18,13 +18,18 @@ pub fn open_serial(name: &str, line: Line) -> Result<SerialStream> {
         Parity::None => serialport::Parity::None,
         Parity::Even => serialport::Parity::Even,
     };
-    tokio_serial::new(path.to_string_lossy(), line.baud)
+    let stream = tokio_serial::new(path.to_string_lossy(), line.baud)
         .data_bits(serialport::DataBits::Eight)
         .parity(parity)
         .stop_bits(serialport::StopBits::One)
         .flow_control(serialport::FlowControl::None)
         .open_native_async()
-        .map_err(|error| explain(name, path, &error))
+        .map_err(|error| explain(name, path, &error))?;
+    // What came for the program before could pass for an answer. A port that cannot forget it is good all the same.
+    if let Err(error) = stream.clear(ClearBuffer::Input) {
+        tracing::debug!(%error, "old input stays");
+    }
+    Ok(stream)
 }
 
 /// A name without a directory is one in `/dev`, unless there is such a file right here.
@@ -147,6 +152,27 @@ mod tests {
         std::fs::remove_file(&link).unwrap();
         let text = opened.unwrap_err().to_string();
         assert!(text.contains("(a link to /dev/pts/none, which is gone)"), "{text}");
+    }
+
+    #[tokio::test]
+    async fn what_came_for_another_is_forgotten() {
+        use tokio::io::{AsyncReadExt, AsyncWriteExt};
+
+        let (mut board, kept) = SerialStream::pair().unwrap();
+        let path = serialport::SerialPort::name(&kept).unwrap();
+        drop(kept);
+        let another = open_serial(&path, Line::default()).unwrap();
+        board.write_all(b"old").await.unwrap();
+        another.readable().await.unwrap();
+        // A terminal that nobody has open forgets by itself, so this one stays open.
+        let still_open = std::fs::File::open(&path);
+        drop(another);
+        let mut port = open_serial(&path, Line::default()).unwrap();
+        board.write_all(b"new").await.unwrap();
+        let mut read = [0; 3];
+        port.read_exact(&mut read).await.unwrap();
+        assert_eq!(&read, b"new");
+        drop(still_open);
     }
 
     #[tokio::test]

@@ -79,7 +79,10 @@ impl Machine {
     }
 
     pub(in crate::sim) fn realtime_custom(&self, now: Duration, flags: Flags) -> Result<Packet, Refusal> {
-        if !SUPPORTED.contains(flags) || flags.payload_len() > LONGEST {
+        if !SUPPORTED.contains(flags) {
+            return Err(Refusal::NotSupported);
+        }
+        if flags.payload_len() > LONGEST {
             return Err(Refusal::Parameters);
         }
         let axes = self.motion.axes();

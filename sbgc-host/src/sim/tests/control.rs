@@ -216,7 +216,7 @@ fn chosen_data_is_what_was_chosen_or_an_error() {
     assert_eq!(data.imu_angles.unwrap().pitch, Angle(4096));
     assert!((data.z_vector.unwrap().y.get() - 1.0).abs() < 1e-6, "{data:?}");
     let refused = RealtimeDataCustomRequest::new(RealtimeDataCustomFlags::SYSTEM_POWER_STATE).unwrap();
-    assert_eq!(bench.ask_one(&refused).payload[..2], [88, 2]);
+    assert_eq!(bench.ask_one(&refused).payload[..2], [88, 9]);
 }
 
 #[test]

@@ -206,6 +206,59 @@ fn a_board_that_goes_away_ends_the_stream_with_an_error() {
 }
 
 #[test]
+fn a_board_that_falls_silent_ends_the_stream_with_an_error() {
+    let board = Board::start();
+    let (child, output) = streaming(&board.port());
+    board.signal("STOP");
+    std::thread::spawn(move || std::io::copy(&mut { output }, &mut std::io::sink()));
+    let ended = child.wait_with_output().unwrap();
+    assert_eq!(ended.status.code(), Some(3), "{}", stderr(&ended));
+    assert!(stderr(&ended).contains("CMD_BOARD_INFO: no answer"), "{}", stderr(&ended));
+}
+
+#[test]
+fn a_board_that_was_reset_streams_again() {
+    use std::io::{BufRead as _, Read as _, Write as _};
+    use std::net::{TcpListener, TcpStream};
+
+    let mut command = common::sbgc();
+    command.args(["sim", "--tcp", "127.0.0.1:0"]).stdout(std::process::Stdio::piped());
+    let mut board = command.spawn().unwrap();
+    let mut place = String::new();
+    std::io::BufReader::new(board.stdout.take().unwrap()).read_line(&mut place).unwrap();
+    let mut to_board = TcpStream::connect(place.trim().trim_start_matches("tcp://")).unwrap();
+    let mut from_board = to_board.try_clone().unwrap();
+    let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = format!("tcp://{}", listener.local_addr().unwrap());
+    // Between program and board stands somebody who resets the board once samples are coming.
+    let between = std::thread::spawn(move || {
+        let mut from_host = listener.accept().unwrap().0;
+        let mut to_host = from_host.try_clone().unwrap();
+        let mut reset = to_board.try_clone().unwrap();
+        std::thread::spawn(move || std::io::copy(&mut from_host, &mut to_board));
+        let (mut passed, mut piece, mut done) = (0, [0; 256], false);
+        while let Ok(count @ 1..) = from_board.read(&mut piece) {
+            if to_host.write_all(&piece[..count]).is_err() {
+                break;
+            }
+            passed += count;
+            if passed > 1000 && !done {
+                done = true;
+                // CMD_RESET, at once.
+                reset.write_all(&[0x24, 0x72, 0x03, 0x75, 0, 0, 0, 0x7B, 0x2A]).unwrap();
+            }
+        }
+        assert!(done);
+    });
+    let output = success(&["--port", &port, "-v", "stream", "--interval", "2", "--count", "300", "--json"]);
+    assert_eq!(objects(&output).len(), 300);
+    assert!(stderr(&output).contains("asking for them again"), "{}", stderr(&output));
+    board.kill().unwrap();
+    board.wait().unwrap();
+    between.join().unwrap();
+}
+
+#[test]
 fn one_program_at_a_time_has_the_port() {
     let board = Board::start();
     let (mut child, output) = streaming(&board.port());

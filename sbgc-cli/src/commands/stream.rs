@@ -1,10 +1,13 @@
 //! `sbgc stream`: live data.
 
+use std::time::Duration;
+
 use clap::Args;
 use sbgc_host::streams::Item;
 use sbgc_host::{Gimbal, StreamRequest};
 use sbgc_proto::commands::{RealtimeDataCustom, RealtimeDataCustomFlags, StreamSource};
 use serde_json::{Map, Value, json};
+use tokio::time::timeout;
 
 use crate::args::Global;
 use crate::connect::with_board;
@@ -33,6 +36,9 @@ pub(crate) struct Stream {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     count: Option<u64>,
 }
+
+/// How long no sample may come before the board is asked whether it is there.
+const SILENCE: Duration = Duration::from_secs(2);
 
 fn flag(name: &str) -> Result<RealtimeDataCustomFlags, String> {
     let known = RealtimeDataCustomFlags::LABELS;
@@ -63,12 +69,24 @@ impl Stream {
     async fn show(&self, gimbal: &Gimbal, output: &mut Output) -> Result<(), Failure> {
         let flags = self.data.iter().copied().fold(RealtimeDataCustomFlags::empty(), |all, flag| all | flag);
         let request = StreamRequest::of(StreamSource::RealtimeDataCustom(flags), self.interval);
-        let samples = gimbal.subscribe(request).await?;
-        let mut samples = samples.typed_with::<RealtimeDataCustom, _>(flags);
+        let subscribe = async || {
+            let samples = gimbal.subscribe(request).await?;
+            Ok::<_, Failure>(samples.typed_with::<RealtimeDataCustom, _>(flags))
+        };
+        let mut samples = subscribe().await?;
+        let silence = SILENCE.max(Duration::from_millis(self.interval.into()) * 5);
         let mut table = None;
         let mut left = self.count.unwrap_or(u64::MAX);
         while left > 0 {
-            let data = match samples.next().await {
+            let Ok(sample) = timeout(silence, samples.next()).await else {
+                // A board that was reset has forgotten the stream; one that is gone does not answer.
+                gimbal.board_info().await?;
+                tracing::info!("no samples for {} s, asking for them again", silence.as_secs());
+                drop(samples);
+                samples = subscribe().await?;
+                continue;
+            };
+            let data = match sample {
                 None => return Err(sbgc_host::Error::Disconnected.into()),
                 Some(Item::Undecoded(error)) => return Err(sbgc_host::Error::from(error).into()),
                 Some(Item::Lagged(lost)) => {

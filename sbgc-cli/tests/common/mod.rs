@@ -85,11 +85,16 @@ impl Board {
         (link, self.directory.take().expect("it is there until now"))
     }
 
+    /// Sends it a signal.
+    pub(crate) fn signal(&self, signal: &str) {
+        let id = self.child.id().to_string();
+        let sent = Command::new("kill").args(["-s", signal, &id]).status().expect("kill is there");
+        assert!(sent.success());
+    }
+
     /// Asks it to end, and waits for that.
     pub(crate) fn stop(mut self) {
-        let id = self.child.id().to_string();
-        let asked = Command::new("kill").args(["-s", "TERM", &id]).status().expect("kill is there");
-        assert!(asked.success());
+        self.signal("TERM");
         assert!(self.child.wait().expect("it ends").success());
     }
 

@@ -195,3 +195,25 @@ fn every_example_that_needs_its_request_is_read_with_it() {
     }
     assert_eq!(checked, 36);
 }
+
+#[test]
+fn frames_are_shown_while_the_pipe_stays_open() {
+    use std::io::{BufRead as _, Write as _};
+    use std::process::Stdio;
+
+    let mut command = common::sbgc();
+    command.args(["decode", "--json"]).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut input = child.stdin.take().unwrap();
+    let mut lines = std::io::BufReader::new(child.stdout.take().unwrap()).lines();
+    for profile in [1, 2] {
+        input.write_all(&[0x3E, 0x52, 0x01, 0x53, profile, profile]).unwrap();
+        let shown: Value = serde_json::from_str(&lines.next().unwrap().unwrap()).unwrap();
+        assert_eq!(shown["fields"][0]["raw"], profile);
+    }
+    // Whoever reads has had enough.
+    drop(lines);
+    let _ = input.write_all(&[0x3E, 0x52, 0x01, 0x53, 3, 3]);
+    drop(input);
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+}

@@ -102,7 +102,7 @@ impl Example {
             }
             wrong.extend(surplus(rest));
             match (&message, self.selection) {
-                (IncomingCommand::CanDrvTelemetry(view), Some(selection)) => {
+                (IncomingCommand::CanDrvTelemetryView(view), Some(selection)) => {
                     let selection = CanDrvTelemetryFlags::from_bits_retain(selection);
                     let typed = view.decode_as(selection).map_err(|error| broken(&error))?;
                     reflect::walk(&typed, &mut visitor);

@@ -136,10 +136,10 @@ impl Interpreter {
 
     fn remember(&mut self, message: &OutgoingCommand<'_>) {
         match message {
-            OutgoingCommand::RealtimeDataCustom(request) => self.custom.add(request.flags),
-            OutgoingCommand::RealtimeDataCustom2(request) => self.custom2.add(request.flags),
-            OutgoingCommand::DebugVarsInfo3Simple(_) => self.described_from = 0,
-            OutgoingCommand::DebugVarsInfo3Extended(request) => {
+            OutgoingCommand::RealtimeDataCustomRequest(request) => self.custom.add(request.flags),
+            OutgoingCommand::RealtimeDataCustom2Request(request) => self.custom2.add(request.flags),
+            OutgoingCommand::DebugVarsInfo3Request(_) => self.described_from = 0,
+            OutgoingCommand::DebugVarsInfo3ExtendedRequest(request) => {
                 self.described_from = request.start_idx.into();
             }
             OutgoingCommand::DataStreamInterval(stream) => match stream.source() {
@@ -159,7 +159,7 @@ impl Interpreter {
         payload: &'a [u8],
     ) -> Result<Option<(Meaning<'a>, &'a [u8])>, DecodeError> {
         Ok(match message {
-            IncomingCommand::RealtimeDataCustom(_) => match self.custom.decode(payload) {
+            IncomingCommand::RealtimeDataCustomView(_) => match self.custom.decode(payload) {
                 Some((data, rest)) => Some((Meaning::RealtimeDataCustom(data), rest)),
                 None => match self.fallback.or(self.custom.newest()) {
                     Some(flags) => {
@@ -169,10 +169,10 @@ impl Interpreter {
                     None => None,
                 },
             },
-            IncomingCommand::RealtimeDataCustom2(_) => {
+            IncomingCommand::RealtimeDataCustom2View(_) => {
                 self.custom2.decode(payload).map(|(data, rest)| (Meaning::RealtimeDataCustom2(data), rest))
             }
-            IncomingCommand::CanDrvTelemetry(_) => {
+            IncomingCommand::CanDrvTelemetryView(_) => {
                 self.telemetry.decode(payload).map(|(data, rest)| (Meaning::CanDrvTelemetry(data), rest))
             }
             IncomingCommand::DebugVars3(values) if !self.variables.is_empty() => {

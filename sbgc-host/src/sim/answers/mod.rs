@@ -111,8 +111,10 @@ impl Machine {
             return Err(Refusal::Size);
         }
         match command {
-            OutgoingCommand::BoardInfoSimple(_) | OutgoingCommand::BoardInfoExtended(_) => self.board_info(),
-            OutgoingCommand::BoardInfo3(_) => self.board_info_3(),
+            OutgoingCommand::BoardInfoRequest(_) | OutgoingCommand::BoardInfoExtendedRequest(_) => {
+                self.board_info()
+            }
+            OutgoingCommand::BoardInfo3Request(_) => self.board_info_3(),
             OutgoingCommand::ReadParams3(request) => self.read_block(id, request.profile_id),
             OutgoingCommand::ReadParamsExt(request) => self.read_block(id, request.profile_id),
             OutgoingCommand::WriteParams3(_) => {
@@ -135,39 +137,43 @@ impl Machine {
             OutgoingCommand::CalibAccSimple(_)
             | OutgoingCommand::CalibGyroSimple(_)
             | OutgoingCommand::CalibMagSimple(_) => self.calibrate(now, id, None),
-            OutgoingCommand::CalibAccExtended(CalibAcc(request))
-            | OutgoingCommand::CalibGyroExtended(CalibGyro(request))
-            | OutgoingCommand::CalibMagExtended(CalibMag(request)) => self.calibrate(now, id, Some(&request)),
-            OutgoingCommand::EepromRead(request) => self.read_eeprom(&request),
+            OutgoingCommand::CalibAcc(CalibAcc(request))
+            | OutgoingCommand::CalibGyro(CalibGyro(request))
+            | OutgoingCommand::CalibMag(CalibMag(request)) => self.calibrate(now, id, Some(&request)),
+            OutgoingCommand::EepromReadRequest(request) => self.read_eeprom(&request),
             OutgoingCommand::EepromWrite(write) => self.write_eeprom(&write),
             OutgoingCommand::ControlLegacy(command) => self.control_legacy(now, &command),
-            OutgoingCommand::ControlExtended(command) => self.control(now, &command),
+            OutgoingCommand::Control(command) => self.control(now, &command),
             OutgoingCommand::ControlConfig(config) => self.control_config(now, &config),
             OutgoingCommand::MotorsOn(_) => self.motors(id, true),
-            OutgoingCommand::MotorsOffSimple(_) | OutgoingCommand::MotorsOffExtended(_) => {
-                self.motors(id, false)
-            }
-            OutgoingCommand::ExecuteMenuSimple(menu) => self.menu(menu.cmd_id, ExecuteMenuFlags::CONFIRM),
+            OutgoingCommand::MotorsOffSimple(_) | OutgoingCommand::MotorsOff(_) => self.motors(id, false),
+            OutgoingCommand::ExecuteMenu(menu) => self.menu(menu.cmd_id, ExecuteMenuFlags::CONFIRM),
             OutgoingCommand::ExecuteMenuExtended(menu) => self.menu(menu.cmd_id, menu.flags),
-            OutgoingCommand::ResetSimple(_) => Self::reset_request(None),
-            OutgoingCommand::ResetExtended(request) => Self::reset_request(Some(&request)),
+            OutgoingCommand::ResetRequest(_) => Self::reset_request(None),
+            OutgoingCommand::ResetExtendedRequest(request) => Self::reset_request(Some(&request)),
             OutgoingCommand::GetAngles(_) => self.angles(),
             OutgoingCommand::GetAnglesExt(_) => self.angles_ext(),
-            OutgoingCommand::RealtimeData(_) | OutgoingCommand::RealtimeData3(_) => send(self.realtime_3()),
-            OutgoingCommand::RealtimeData4(_) => send(self.realtime_4()),
-            OutgoingCommand::RealtimeDataCustom(request) => send(self.realtime_custom(now, request.flags)),
+            OutgoingCommand::RealtimeDataRequest(_) | OutgoingCommand::RealtimeData3Request(_) => {
+                send(self.realtime_3())
+            }
+            OutgoingCommand::RealtimeData4Request(_) => send(self.realtime_4()),
+            OutgoingCommand::RealtimeDataCustomRequest(request) => {
+                send(self.realtime_custom(now, request.flags))
+            }
             OutgoingCommand::DataStreamInterval(request) => self.stream(now, received.version, &request),
             OutgoingCommand::SetAdjVarsVal(SetAdjVarsVal(values)) => self.set_variables(&values),
             OutgoingCommand::GetAdjVarsVal(request) => self.variables(&request.param_id),
-            OutgoingCommand::SaveParams3Simple(_) => self.save_variables(None),
+            OutgoingCommand::SaveParams3(_) => self.save_variables(None),
             OutgoingCommand::SaveParams3Extended(request) => self.save_variables(Some(&request.adj_var_id)),
-            OutgoingCommand::DebugVarsInfo3Simple(_) => self.debug_variables_info(0),
-            OutgoingCommand::DebugVarsInfo3Extended(request) => self.debug_variables_info(request.start_idx),
-            OutgoingCommand::DebugVars3Simple(_) => self.debug_variables(None),
-            OutgoingCommand::DebugVars3Extended(request) => self.debug_variables(Some(&request)),
+            OutgoingCommand::DebugVarsInfo3Request(_) => self.debug_variables_info(0),
+            OutgoingCommand::DebugVarsInfo3ExtendedRequest(request) => {
+                self.debug_variables_info(request.start_idx)
+            }
+            OutgoingCommand::DebugVars3Request(_) => self.debug_variables(None),
+            OutgoingCommand::DebugVars3ExtendedRequest(request) => self.debug_variables(Some(&request)),
             // These are never answered; that they have no effect is not seen.
             OutgoingCommand::HelperDataLegacy(_)
-            | OutgoingCommand::HelperDataExtended(_)
+            | OutgoingCommand::HelperData(_)
             | OutgoingCommand::ApiVirtChControl(_)
             | OutgoingCommand::ApiVirtChHighRes(_)
             | OutgoingCommand::BeepSound(_)

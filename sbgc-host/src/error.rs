@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use bytes::Bytes;
+use sbgc_proto::units::FirmwareVersion;
 use sbgc_proto::{DecodeError, EncodeError};
 
 /// [`std::result::Result`] with this crate's [`Error`].
@@ -97,6 +98,33 @@ pub enum Error {
         /// How long was waited.
         after: Duration,
     },
+    /// A value that cannot be sent.
+    #[error("{what}: {value} is out of range; expected {minimum} to {maximum} {unit}")]
+    OutOfRange {
+        /// What the value is, such as "pitch angle".
+        what: &'static str,
+        /// The value; NaN and infinities are never in range.
+        value: f64,
+        /// Lowest value that can be sent.
+        minimum: f64,
+        /// Highest value that can be sent.
+        maximum: f64,
+        /// Unit of all three.
+        unit: &'static str,
+    },
+    /// The firmware does not have this.
+    #[error("{what} needs firmware {since} or later, the board has {firmware}; update the firmware")]
+    TooOld {
+        /// What was asked for.
+        what: &'static str,
+        /// The first firmware that has it.
+        since: FirmwareVersion,
+        /// The firmware of the board.
+        firmware: FirmwareVersion,
+    },
+    /// Something else on this connection moves the gimbal: a control session or a calibration.
+    #[error("the gimbal is controlled by another session or calibration on this connection; end that first")]
+    ControlInUse,
     /// There is no such port.
     #[error("there is no port {name}; {}", PortList(.available))]
     NoSuchPort {

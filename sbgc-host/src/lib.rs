@@ -12,6 +12,7 @@
 //! - [`Connection`] is the task. Nobody else touches the port, so a slow caller holds up no other, and a caller that
 //!   gives up leaves nothing behind.
 //! - [`Subscription`] yields what the board sends on its own.
+//! - [`ControlSession`] owns the motion of the gimbal, and stops it however the owner ends.
 //! - [`transport`] opens ports; [`link`] is what the task is made of.
 //!
 //! ```no_run
@@ -76,6 +77,7 @@
 
 #[cfg(feature = "capture")]
 pub mod capture;
+pub mod control;
 mod error;
 pub mod gimbal;
 pub mod link;
@@ -84,6 +86,7 @@ pub mod sim;
 pub mod streams;
 pub mod transport;
 
+pub use control::{ControlSession, SessionOptions, Setpoint};
 pub use error::{Error, Result};
 pub use gimbal::{Answer, Connection, Gimbal, Options, VersionChoice};
 pub use link::{LinkCounters, LinkState};

@@ -35,9 +35,48 @@ async fn the_board_says_that_it_is_there() {
         board.confirm(67).await;
         tokio::time::sleep(MS(100)).await;
         board.send(CONFIRM, &[67, 1]).await;
+        board.expect(GET_ANGLES).await;
+        board.send(GET_ANGLES, &angles(-1000, -1024)).await;
     });
     moved.unwrap();
     assert_eq!(since(start), 100);
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_confirmation_of_somebody_elses_move_does_not_count() {
+    let (gimbal, mut board) = gimbal();
+    let start = Instant::now();
+    let (moved, ()) = tokio::join!(gimbal.move_to(TARGET, ControlRate(0), WITHIN), async {
+        board.expect(67).await;
+        board.confirm(67).await;
+        // Another move has arrived; this one is on its way.
+        board.send(CONFIRM, &[67, 1]).await;
+        for (imu, target) in [(0, 0), (-300, -400), (-1000, -1024), (-1024, -1024)] {
+            board.expect(GET_ANGLES).await;
+            board.send(GET_ANGLES, &angles(imu, target)).await;
+        }
+    });
+    moved.unwrap();
+    assert!(since(start) >= 750, "{}", since(start));
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_whole_turn_is_not_reached_at_once() {
+    let (gimbal, mut board) = gimbal();
+    let turn = PerAxis { pitch: Some(Angle::from_degrees(360.0)), ..PerAxis::default() };
+    let (moved, asked) = tokio::join!(gimbal.move_to(turn, ControlRate(0), WITHIN), async {
+        board.expect(67).await;
+        board.confirm(67).await;
+        let mut asked = 0;
+        for (imu, target) in [(0, 16384), (0, 0), (0, 0), (8000, 16384), (16380, 16384), (16384, 16384)] {
+            board.expect(GET_ANGLES).await;
+            board.send(GET_ANGLES, &angles(imu, target)).await;
+            asked += 1;
+        }
+        asked
+    });
+    moved.unwrap();
+    assert_eq!(asked, 6);
 }
 
 #[tokio::test(start_paused = true)]
@@ -47,7 +86,7 @@ async fn the_angles_say_it_when_the_board_does_not() {
         board.expect(67).await;
         board.confirm(67).await;
         // At rest before it sets off, on the way, almost there, there.
-        for (imu, target) in [(0, 0), (0, 0), (-500, -500), (-900, -1024), (-1000, -1024)] {
+        for (imu, target) in [(0, 0), (0, 0), (-500, -500), (-900, -1024), (-1000, -1024), (-1024, -1024)] {
             board.expect(GET_ANGLES).await;
             board.send(GET_ANGLES, &angles(imu, target)).await;
         }
@@ -119,6 +158,8 @@ async fn whoever_waits_for_ever_may() {
         board.expect(67).await;
         board.confirm(67).await;
         board.send(CONFIRM, &[67, 1]).await;
+        board.expect(GET_ANGLES).await;
+        board.send(GET_ANGLES, &angles(-1024, -1024)).await;
     });
     moved.unwrap();
 }

@@ -30,6 +30,7 @@ use tokio::sync::{mpsc, oneshot, watch};
 use tokio::time::Instant;
 
 pub use answer::Answer;
+pub(crate) use motion::Arrival;
 use options::LONGEST;
 pub use options::{Options, VersionChoice};
 
@@ -202,6 +203,16 @@ impl Gimbal {
     pub async fn send_raw(&self, command: CommandId, payload: Bytes) -> Result<()> {
         self.check(command, &payload)?;
         self.commands.send(Command::Send(command.raw(), payload)).await.map_err(|_| self.gone())
+    }
+
+    /// Hands a command to the link without waiting, behind everything that waits to be sent.
+    ///
+    /// # Errors
+    /// If the link is gone or its queue is full.
+    pub(crate) fn try_send<M: Message + ToWire>(&self, command: &M) -> Result<()> {
+        let payload = encode(command)?;
+        self.check(M::ID, &payload)?;
+        self.commands.try_send(Command::Send(M::ID.raw(), payload)).map_err(|_| self.gone())
     }
 
     /// Sends a command that says where to go or how fast, and returns at once.

@@ -1,6 +1,6 @@
 //! What the handles and the task share without asking each other.
 
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use bytes::Bytes;
@@ -66,6 +66,8 @@ pub(crate) struct Shared {
     setpoints: Mutex<Vec<(u8, Bytes)>>,
     listeners: Mutex<Vec<Arc<Queue>>>,
     counters: Mutex<LinkCounters>,
+    /// Whether a control session or a calibration owns the motion.
+    pub(crate) motion_owned: AtomicBool,
     pub(crate) state: watch::Sender<LinkState>,
 }
 
@@ -77,6 +79,7 @@ impl Shared {
             setpoints: Mutex::default(),
             listeners: Mutex::default(),
             counters: Mutex::default(),
+            motion_owned: AtomicBool::new(false),
             state: watch::Sender::new(LinkState::Open),
         }
     }

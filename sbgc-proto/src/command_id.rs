@@ -2,6 +2,8 @@
 
 use sbgc_proto_macros::open_enum;
 
+use crate::text::equal;
+
 /// Which way a message goes, seen from the host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -463,17 +465,6 @@ impl CommandId {
         }
         panic!("the spec has no command of this name")
     }
-}
-
-const fn equal(one: &str, other: &str) -> bool {
-    let (mut one, mut other) = (one.as_bytes(), other.as_bytes());
-    while let (Some((a, one_rest)), Some((b, other_rest))) = (one.split_first(), other.split_first()) {
-        if *a != *b {
-            return false;
-        }
-        (one, other) = (one_rest, other_rest);
-    }
-    one.is_empty() && other.is_empty()
 }
 
 impl core::fmt::Display for CommandId {

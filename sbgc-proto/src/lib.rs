@@ -90,7 +90,9 @@
 
 pub mod command_id;
 pub mod commands;
+mod echo;
 mod error;
+mod expected;
 pub mod frame;
 pub mod message;
 #[cfg(feature = "reflect")]
@@ -98,11 +100,14 @@ pub mod reflect;
 mod registry;
 #[cfg(feature = "serde")]
 mod serde_support;
+mod text;
 pub mod units;
 pub mod wire;
 
 pub use command_id::{CommandId, Direction};
+pub use echo::RequestInfo;
 pub use error::{DecodeError, EncodeError, OutOfRange};
+pub use expected::Expected;
 pub use message::{Message, Request};
 pub use registry::{IncomingCommand, OutgoingCommand};
 

@@ -4,7 +4,7 @@ use core::ops::RangeInclusive;
 
 use crate::frame::{self, Version};
 use crate::wire::{Fault, FromWire, Layout, ToWire, Writer};
-use crate::{CommandId, DecodeError, Direction, EncodeError};
+use crate::{CommandId, DecodeError, Direction, EncodeError, RequestInfo};
 
 /// The payload of one command in one form.
 ///
@@ -36,6 +36,8 @@ pub trait Message: Layout {
     const SUMMARY: &'static str;
     /// How many bytes the payload has.
     const SIZE: RangeInclusive<usize>;
+    /// What answers it and what it does; of messages from the board, nothing.
+    const REQUEST: RequestInfo = RequestInfo::NONE;
 
     /// Whether a payload of `length` bytes has this form. Where an id has one form only, all have.
     fn accepts(length: usize) -> bool {

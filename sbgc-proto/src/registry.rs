@@ -9,7 +9,7 @@ use crate::commands::*;
 use crate::frame::{self, Frame, Version};
 use crate::message::{Message, write_payload};
 use crate::wire::{ToWire, Writer};
-use crate::{CommandId, DecodeError, Direction, EncodeError};
+use crate::{CommandId, DecodeError, Direction, EncodeError, RequestInfo};
 
 macro_rules! commands {
     ($(
@@ -60,6 +60,16 @@ macro_rules! commands {
                     }
                     _ => Ok((Self::Unknown { id, payload }, &[])),
                 }
+            }
+
+            /// What is declared of the command with this id and payload; `None` where the protocol has none such.
+            #[allow(dead_code, reason = "messages from the board request nothing")]
+            pub(crate) fn request_info(id: CommandId, payload: &[u8]) -> Option<RequestInfo> {
+                type Row = (u8, fn(usize) -> bool, RequestInfo);
+                static ROWS: &[Row] =
+                    &[$((<$ty as Message>::ID.raw(), <$ty as Message>::accepts, <$ty as Message>::REQUEST)),*];
+                let row = ROWS.iter().find(|(row, accepts, _)| *row == id.raw() && accepts(payload.len()));
+                row.map(|(_, _, info)| *info)
             }
 
             /// Reads the payload of a frame.
@@ -187,6 +197,13 @@ macro_rules! commands {
             }
         }
     )* };
+}
+
+impl RequestInfo {
+    /// What is known of the command with this id and payload; `None` for one that the protocol does not have.
+    pub fn of_payload(command: CommandId, payload: &[u8]) -> Option<Self> {
+        OutgoingCommand::request_info(command, payload)
+    }
 }
 
 #[cfg(all(test, feature = "serde"))]

@@ -35,6 +35,59 @@ pub(crate) struct Context {
     pub(crate) ty: Type,
 }
 
+/// One of the things that an answer repeats: `rule(request_field => answer_field.element)`.
+pub(crate) struct Echo {
+    pub(crate) rule: Ident,
+    pub(crate) request: Ident,
+    pub(crate) answer: Ident,
+    /// The field of the answer's list elements.
+    pub(crate) element: Option<Ident>,
+}
+
+impl Parse for Echo {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let first: Ident = input.parse()?;
+        if !input.peek(syn::token::Paren) {
+            let rule = Ident::new("same", first.span());
+            return Ok(Echo { rule, answer: first.clone(), request: first, element: None });
+        }
+        let rules = ["same", "number", "profile", "flags", "each", "one_of", "from"];
+        if !rules.contains(&first.to_string().as_str()) {
+            return Err(Error::new(first.span(), format!("an echo is one of {}", rules.join(", "))));
+        }
+        let inner;
+        parenthesized!(inner in input);
+        let request: Ident = inner.parse()?;
+        let (mut answer, mut element) = (request.clone(), None);
+        if inner.peek(Token![=>]) {
+            inner.parse::<Token![=>]>()?;
+            answer = inner.parse()?;
+            if inner.peek(Token![.]) {
+                inner.parse::<Token![.]>()?;
+                element = Some(inner.parse()?);
+            }
+        }
+        if ["each", "from"].iter().any(|rule| first == rule) != element.is_some() {
+            return Err(Error::new(
+                first.span(),
+                "`each` and `from` name a field of elements: `id => list.id`",
+            ));
+        }
+        Ok(Echo { rule: first, request, answer, element })
+    }
+}
+
+/// One echo, or several in brackets.
+fn echoes(input: ParseStream<'_>) -> Result<Vec<Echo>> {
+    input.parse::<Token![=]>()?;
+    if !input.peek(syn::token::Bracket) {
+        return Ok(vec![input.parse()?]);
+    }
+    let inner;
+    syn::bracketed!(inner in input);
+    Ok(Punctuated::<Echo, Token![,]>::parse_terminated(&inner)?.into_iter().collect())
+}
+
 /// The arguments of `#[message]` and `#[record]`; the command is there for messages only.
 pub(crate) struct Arguments {
     pub(crate) command: Option<Ident>,
@@ -43,6 +96,9 @@ pub(crate) struct Arguments {
     pub(crate) form: String,
     pub(crate) lengths: Option<Pat>,
     pub(crate) answer: Option<Type>,
+    pub(crate) echo: Vec<Echo>,
+    pub(crate) acts: bool,
+    pub(crate) slow: bool,
     pub(crate) since: Option<String>,
     pub(crate) context: Option<Context>,
 }
@@ -72,6 +128,9 @@ impl Arguments {
             form: String::from("full"),
             lengths: None,
             answer: None,
+            echo: Vec::new(),
+            acts: false,
+            slow: false,
             since: None,
             context: None,
         };
@@ -97,6 +156,9 @@ impl Arguments {
                     arguments.lengths = Some(Pat::parse_multi(input)?);
                 }
                 "answer" if is_message => arguments.answer = Some(value(input)?),
+                "echo" if is_message => arguments.echo = echoes(input)?,
+                "acts" if is_message => arguments.acts = true,
+                "slow" if is_message => arguments.slow = true,
                 "since" => arguments.since = Some(value::<LitStr>(input)?.value()),
                 "context" => {
                     let inner;
@@ -113,6 +175,13 @@ impl Arguments {
         }
         if is_message && directions != 1 {
             return Err(Error::new(Span::call_site(), "say either `outgoing` or `incoming`"));
+        }
+        let asks = !arguments.echo.is_empty() || arguments.answer.is_some();
+        if !arguments.outgoing && (asks || arguments.acts || arguments.slow) {
+            return Err(Error::new(Span::call_site(), "only requests have an answer and do something"));
+        }
+        if arguments.answer.is_none() && !arguments.echo.is_empty() {
+            return Err(Error::new(Span::call_site(), "an echo needs the `answer` that has it"));
         }
         Ok(arguments)
     }

@@ -1,10 +1,10 @@
 //! Reading, writing and measuring what was declared.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{ToTokens, quote};
 
 use crate::attributes::Count;
-use crate::structure::{Field, Structure, held};
+use crate::structure::{Field, Structure, element_of, held, is_named, with_static_lifetimes};
 
 /// `Layout`, `FromWire` and `ToWire`.
 pub(crate) fn of_structure(structure: &Structure) -> TokenStream {
@@ -16,20 +16,60 @@ pub(crate) fn of_structure(structure: &Structure) -> TokenStream {
 
 fn layout(structure: &Structure) -> TokenStream {
     let (ty, generics) = (structure.ty(), structure.generics());
-    let minima = structure.fields.iter().map(|field| {
+    let lengths = structure.fields.iter().map(|field| {
         let inner = &field.inner;
         let prefix = usize::from(matches!(field.arguments.count, Some(Count::Prefix(_))));
-        if field.is_option { quote!(0) } else { quote!(#prefix + <#inner as crate::wire::Layout>::MIN_LEN) }
+        let minimum = if field.is_option {
+            quote!(0)
+        } else {
+            quote!(#prefix + <#inner as crate::wire::Layout>::MIN_LEN)
+        };
+        (minimum, quote!(#prefix + <#inner as crate::wire::Layout>::MAX_LEN))
     });
-    let maxima = structure.fields.iter().map(|field| {
-        let inner = &field.inner;
-        let prefix = usize::from(matches!(field.arguments.count, Some(Count::Prefix(_))));
-        quote!(#prefix + <#inner as crate::wire::Layout>::MAX_LEN)
-    });
+    let (minima, maxima): (Vec<_>, Vec<_>) = lengths.unzip();
+    let slots = if structure.transparent {
+        let inner = structure.fields.iter().map(|field| &field.ty);
+        quote!(#(<#inner as crate::wire::Layout>::SLOTS)*)
+    } else {
+        let slots = structure.fields.iter().enumerate().map(|(index, field)| {
+            let (before_min, before_max) = (minima.iter().take(index), maxima.iter().take(index));
+            slot(field, &quote!(0 #(+ #before_min)*), &quote!(0 #(+ #before_max)*))
+        });
+        quote!(&[#(#slots),*])
+    };
     quote! {
         impl #generics crate::wire::Layout for #ty {
             const MIN_LEN: usize = 0 #(+ #minima)*;
             const MAX_LEN: usize = 0 #(+ #maxima)*;
+            const SLOTS: &'static [crate::wire::Slot] = #slots;
+        }
+    }
+}
+
+/// The place of a field that stands after so many bytes.
+fn slot(field: &Field, least: &TokenStream, most: &TokenStream) -> TokenStream {
+    let name = field.name.to_string();
+    let counted = matches!(field.arguments.count, Some(Count::Prefix(_)));
+    let element = element_of(&field.inner);
+    let elements = match element {
+        Some(element) => quote!(::core::option::Option::Some(<#element as crate::wire::Layout>::SLOTS)),
+        None => quote!(::core::option::Option::None),
+    };
+    // A list without a count reaches to the end.
+    let size = if counted || element.is_none() {
+        let measured = element.unwrap_or(&field.inner);
+        let measure = quote!(<#measured as crate::wire::Layout>);
+        quote!(crate::wire::fixed(#measure::MIN_LEN, #measure::MAX_LEN))
+    } else {
+        quote!(::core::option::Option::None)
+    };
+    quote! {
+        crate::wire::Slot {
+            name: #name,
+            at: crate::wire::fixed(#least, #most),
+            size: #size,
+            counted: #counted,
+            elements: #elements,
         }
     }
 }
@@ -157,6 +197,7 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
             }
         }
     });
+    let info = request_info(structure);
     let static_type = if structure.lifetime.is_some() { quote!(#name<'static>) } else { quote!(#name) };
     let complaint = format!("{name}: the fields do not add up to the declared size");
     let fixed = min == max;
@@ -171,6 +212,7 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
             const SUMMARY: &'static str = #doc;
             const SIZE: ::core::ops::RangeInclusive<usize> = #min..=#max;
             #accepts
+            #info
         }
         #request
         const _: () = {
@@ -181,4 +223,41 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
             ::core::assert!(if #fixed { least == #min && most == #max } else { least <= #min && most >= #max }, #complaint);
         };
     }
+}
+
+/// What is declared of the exchange that a request begins.
+fn request_info(structure: &Structure) -> Option<TokenStream> {
+    let arguments = &structure.arguments;
+    if !arguments.outgoing {
+        return None;
+    }
+    let (acts, slow) = (arguments.acts, arguments.slow);
+    let Some(answer) = &arguments.answer else {
+        // What is not answered is not sent to learn something.
+        return Some(quote! {
+            const REQUEST: crate::RequestInfo =
+                crate::RequestInfo::new(::core::option::Option::None, true, #slow, &[]);
+        });
+    };
+    let acts = acts || is_named(answer, "Confirm");
+    let answer = with_static_lifetimes(answer.to_token_stream());
+    let echoes = arguments.echo.iter().map(|echo| {
+        let (rule, request, answer_field) = (&echo.rule, echo.request.to_string(), echo.answer.to_string());
+        let element = echo.element.iter().map(ToString::to_string);
+        quote! {
+            crate::echo::Echo::#rule(
+                crate::wire::Slot::find(<Self as crate::wire::Layout>::SLOTS, #request),
+                crate::wire::Slot::find(<#answer as crate::wire::Layout>::SLOTS, #answer_field),
+                #(#element)*
+            )
+        }
+    });
+    Some(quote! {
+        const REQUEST: crate::RequestInfo = crate::RequestInfo::new(
+            ::core::option::Option::Some(<#answer as crate::message::Message>::ID),
+            #acts,
+            #slow,
+            &[#(#echoes),*],
+        );
+    })
 }

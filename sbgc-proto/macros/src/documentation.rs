@@ -84,7 +84,15 @@ pub(crate) fn of_message(arguments: &Arguments) -> Vec<Attribute> {
     if let Some(answer) = &arguments.answer {
         let name = answer.to_token_stream().to_string();
         let name = name.split([' ', '<']).next().unwrap_or_default().to_owned();
-        let _ = write!(line, " Answered by [`{name}`].");
+        let _ = write!(line, " Answered by [`{name}`]");
+        let repeated: Vec<_> = arguments.echo.iter().map(|echo| format!("`{}`", echo.request)).collect();
+        if !repeated.is_empty() {
+            let _ = write!(line, ", which repeats {}", repeated.join(" and "));
+        }
+        line.push('.');
+    }
+    if arguments.slow {
+        line.push_str(" The answer may take seconds.");
     }
     let alias = command.to_string();
     vec![parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line]), parse_quote!(#[doc(alias = #alias)])]

@@ -42,8 +42,24 @@ use proc_macro::TokenStream;
 /// | `form = "…"` | name of the form where an id has several; `full` when left out |
 /// | `length = pattern` | payload lengths that choose this form |
 /// | `answer = Type` | the message the board answers with |
+/// | `echo = field` | what of the request the answer repeats in a field of the same name; several stand in brackets |
+/// | `echo = rule(field => other)` | the same in a field of another name or not literally, see below |
+/// | `acts` | it does more than ask; follows where the answer is `Confirm` or missing |
+/// | `slow` | the answer may take seconds |
 /// | `since = "…"` | first firmware |
 /// | `context(name: Type)` | what must be known besides the payload to read it |
+///
+/// Echoes are checked when compiling: both fields exist, at fixed offsets and of one size. Rules are:
+///
+/// | rule | what the answer has |
+/// | --- | --- |
+/// | `same(a => b)` | the same bytes |
+/// | `number(a => b)` | the same number in a width of its own |
+/// | `profile(a)` | the same profile; any if the request names none but the current one |
+/// | `flags(a)` | the same flags if the highest of them is set |
+/// | `each(a => list.b)` | a list of as many elements, each of which begins with one of the request's |
+/// | `one_of(a => b)` | the number of one of the bits |
+/// | `from(a => list.b)` | a list whose first element begins with that number or a greater one |
 ///
 /// Fields take `#[wire(…)]`:
 ///

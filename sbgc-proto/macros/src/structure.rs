@@ -166,16 +166,27 @@ fn borrowed(ty: &Type, lifetime: &Lifetime) -> Option<syn::Attribute> {
     }
 }
 
-fn is_named(ty: &Type, name: &str) -> bool {
+/// Whether the type's last name is `name`.
+pub(crate) fn is_named(ty: &Type, name: &str) -> bool {
     matches!(ty, Type::Path(path) if path.path.segments.last().is_some_and(|segment| segment.ident == name))
 }
 
 fn option_of(ty: &Type) -> Option<Type> {
+    argument_of(ty, "Option").cloned()
+}
+
+/// The `T` of `List<T, N>`.
+pub(crate) fn element_of(ty: &Type) -> Option<&Type> {
+    argument_of(ty, "List")
+}
+
+/// The first argument of a generic type of this name.
+fn argument_of<'t>(ty: &'t Type, name: &str) -> Option<&'t Type> {
     let Type::Path(path) = ty else { return None };
-    let segment = path.path.segments.last().filter(|segment| segment.ident == "Option")?;
+    let segment = path.path.segments.last().filter(|segment| segment.ident == name)?;
     let syn::PathArguments::AngleBracketed(arguments) = &segment.arguments else { return None };
     match arguments.args.first()? {
-        syn::GenericArgument::Type(inner) => Some(inner.clone()),
+        syn::GenericArgument::Type(inner) => Some(inner),
         _ => None,
     }
 }

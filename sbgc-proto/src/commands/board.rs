@@ -12,7 +12,7 @@ pub struct BoardInfoRequest {}
 /// Asks what the board is, and sets up the driver of the port on which it comes.
 ///
 /// The board does not check what follows the first two bytes.
-#[message(CMD_BOARD_INFO, outgoing, form = "extended", size = 2..=255, answer = BoardInfo)]
+#[message(CMD_BOARD_INFO, outgoing, form = "extended", size = 2..=255, answer = BoardInfo, acts)]
 pub struct BoardInfoExtendedRequest<'a> {
     /// On a UART the time between packets of 20 bytes, as Bluetooth Low Energy wants them; without meaning on USB.
     #[wire(unit = "ms")]

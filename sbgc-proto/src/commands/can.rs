@@ -9,7 +9,7 @@ use crate::wire::{Bytes, List, Reserved, bit_enums, bit_fields};
 /// Looks for devices on the CAN bus.
 ///
 /// A board that refuses sends `CMD_ERROR`.
-#[message(CMD_CAN_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan)]
+#[message(CMD_CAN_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan, acts, slow)]
 pub struct CanDeviceScanRequest {}
 
 /// Looks for uDrv modules, finds their IMU and gives out ids.
@@ -17,7 +17,7 @@ pub struct CanDeviceScanRequest {}
 /// It changes which device does what.
 ///
 /// Published in the vendor's Python library only.
-#[message(CMD_UDRV_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan)]
+#[message(CMD_UDRV_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan, acts, slow)]
 pub struct UdrvDeviceScan {}
 
 /// The devices that were found on the CAN bus.

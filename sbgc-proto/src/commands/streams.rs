@@ -50,6 +50,19 @@ impl DataStreamInterval {
         Self { cmd_id: source.cmd_id(), interval_ms, config: source.config(), ..Self::default() }
     }
 
+    /// Whether both registrations are of one stream on the same port: the second changes the first or ends it.
+    ///
+    /// Streams are told apart by the command and all bytes of the configuration.
+    pub fn is_same_stream(&self, other: &Self) -> bool {
+        (self.cmd_id, self.config) == (other.cmd_id, other.config)
+    }
+
+    /// The message that ends this stream.
+    #[must_use]
+    pub fn to_stop(&self) -> Self {
+        Self { cmd_id: self.cmd_id, config: self.config, ..Self::default() }
+    }
+
     /// What the board shall send; `None` where the command is none that can be a stream.
     pub fn source(&self) -> Option<StreamSource> {
         StreamSource::of(self.cmd_id, self.config)
@@ -154,6 +167,18 @@ impl StreamSource {
             Self::CanDrvTelemetry { .. } => CommandId::CanDrvTelemetry,
             Self::ExtMotorsState { .. } => CommandId::ExtMotorsState,
             Self::RealtimeDataCustom2(_) => CommandId::RealtimeDataCustom2,
+        }
+    }
+
+    /// Number of payload bytes of each message; `None` where it varies.
+    ///
+    /// It is all that tells messages of two streams with the same command and other flags apart.
+    pub fn payload_len(self) -> Option<usize> {
+        match self {
+            Self::RealtimeDataCustom(flags) => Some(flags.payload_len()),
+            Self::RealtimeDataCustom2(flags) => Some(flags.payload_len()),
+            Self::CanDrvTelemetry { flags, .. } => Some(flags.payload_len()),
+            _ => None,
         }
     }
 

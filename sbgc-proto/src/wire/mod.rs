@@ -14,6 +14,7 @@ mod fault;
 mod list;
 mod number;
 mod option;
+mod slot;
 #[cfg(test)]
 mod tests;
 mod writer;
@@ -23,6 +24,7 @@ pub use bytes::{Bytes, FixedText, Reserved, Text};
 pub use fault::{Fault, Read};
 pub use list::List;
 pub use number::{Float, Label, U24};
+pub use slot::Slot;
 pub use writer::Writer;
 
 #[cfg(feature = "reflect")]
@@ -32,6 +34,7 @@ pub(crate) use bits::{BitField, bit_enums, bit_fields, first_doc, flags, spec_na
 pub(crate) use bytes::Hex;
 pub(crate) use number::number_type;
 pub(crate) use option::{read_field, read_tail, read_when, write_tail, write_when};
+pub(crate) use slot::fixed;
 
 use crate::EncodeError;
 
@@ -41,6 +44,9 @@ pub trait Layout: Sized {
     const MIN_LEN: usize;
     /// The most bytes.
     const MAX_LEN: usize;
+    /// The places of the fields, for a declared struct.
+    #[doc(hidden)]
+    const SLOTS: &'static [Slot] = &[];
 }
 
 /// Can be read from the bytes of a payload. `C` is what must be known besides them, `()` for most.

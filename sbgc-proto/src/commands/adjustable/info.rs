@@ -8,7 +8,7 @@ use crate::wire::{List, Text};
 /// Asks what variables the firmware has.
 ///
 /// One answer has as many as fit; ask again from the next for more.
-#[message(CMD_ADJ_VARS_INFO, outgoing, size = 0..=1, since = "2.73", answer = AdjVarsInfo<'answer>)]
+#[message(CMD_ADJ_VARS_INFO, outgoing, size = 0..=1, since = "2.73", answer = AdjVarsInfo<'answer>, echo = from(start_id => vars.var_id))]
 pub struct AdjVarsInfoRequest {
     /// The first that is wanted. The vendor's library always sends it; a third-party one may leave it
     /// out, which stands for 0.

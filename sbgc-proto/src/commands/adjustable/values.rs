@@ -21,7 +21,7 @@ pub struct AdjVarsVal {
 }
 
 /// Asks for the values of variables.
-#[message(CMD_GET_ADJ_VARS_VAL, outgoing, size = 1..=41, answer = AdjVarsVal)]
+#[message(CMD_GET_ADJ_VARS_VAL, outgoing, size = 1..=41, answer = AdjVarsVal, echo = each(param_id => params.param_id))]
 pub struct GetAdjVarsVal {
     /// The variables, 1 to 40.
     #[wire(counted_by = "NUM_PARAMS")]
@@ -53,7 +53,7 @@ pub struct AdjVarsValF {
 }
 
 /// Asks for the values of variables as floats.
-#[message(CMD_GET_ADJ_VARS_VAL_F, outgoing, size = 1..=41, since = "2.73.4", answer = AdjVarsValF)]
+#[message(CMD_GET_ADJ_VARS_VAL_F, outgoing, size = 1..=41, since = "2.73.4", answer = AdjVarsValF, echo = each(param_id => params.param_id))]
 pub struct GetAdjVarsValF {
     /// The variables, 1 to 40.
     #[wire(counted_by = "NUM_PARAMS")]

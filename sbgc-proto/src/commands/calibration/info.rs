@@ -10,7 +10,7 @@ use crate::wire::{PerXyz, Reserved, flags};
 ///
 /// To be sent again and again while [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro)
 /// or [`CalibMag`](crate::commands::CalibMag) runs.
-#[message(CMD_CALIB_INFO, outgoing, size = 12, answer = CalibInfo)]
+#[message(CMD_CALIB_INFO, outgoing, size = 12, answer = CalibInfo, echo = imu_type)]
 pub struct CalibInfoRequest {
     /// Which sensor.
     pub imu_type: ImuType,

@@ -17,7 +17,7 @@ use crate::wire::{PerXyz, Reserved};
 ///
 /// For a gimbal that works between level and 90 degrees down: level it with `CMD_CONTROL` and send this (offsets of X
 /// and Y), tilt it 90 degrees down and send it (offset of Z, scale of Y), level it and send it again (scale of Z).
-#[message(CMD_CALIB_ACC_EXT_REF, outgoing, size = 20, since = "2.62b7", answer = Confirm)]
+#[message(CMD_CALIB_ACC_EXT_REF, outgoing, size = 20, since = "2.62b7", answer = Confirm, slow)]
 pub struct CalibAccExtRef {
     /// The acceleration that the reference shows, in coordinates of the frame: X right, Y forward, Z down.
     pub acc_ref: PerXyz<Acceleration>,

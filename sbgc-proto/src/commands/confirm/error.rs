@@ -3,7 +3,7 @@
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::wire::{Bytes, Fault, FromWire, Layout, Read, ToWire, Writer};
-use crate::{CommandId, EncodeError};
+use crate::{CommandId, DecodeError, EncodeError, Message};
 
 /// A command failed: why, but not which one.
 ///
@@ -48,6 +48,56 @@ impl Error {
     /// ```
     pub fn name(&self) -> Option<&'static str> {
         self.error_code.name()
+    }
+}
+
+/// What a `CMD_ERROR` reports, in whichever form it came.
+///
+/// ```
+/// use sbgc_proto::CommandId;
+/// use sbgc_proto::commands::ErrorReport;
+///
+/// let report = ErrorReport::from_payload(&[53, 2, 0, 0, 0, 0])?;
+/// assert_eq!((report.command, report.code), (Some(CommandId::ReadFile), 2));
+/// assert_eq!(ErrorReport::from_payload(&[2, 0, 0, 0, 0])?.command, None);
+/// # Ok::<(), sbgc_proto::DecodeError>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub struct ErrorReport {
+    /// Command that failed; `None` in the legacy form, which does not name it.
+    pub command: Option<CommandId>,
+    /// Error code. [`FailureCode::of`] gives its meaning for the command.
+    pub code: u8,
+    /// Additional bytes, which depend on the error.
+    pub data: ErrorData,
+}
+
+impl ErrorReport {
+    /// Decodes the payload of a `CMD_ERROR`, whose length selects the form.
+    ///
+    /// # Errors
+    /// If the payload is empty.
+    pub fn from_payload(payload: &[u8]) -> Result<Self, DecodeError> {
+        if ErrorLegacy::accepts(payload.len()) {
+            ErrorLegacy::decode(payload).map(Self::from)
+        } else {
+            Error::decode(payload).map(Self::from)
+        }
+    }
+}
+
+impl From<ErrorLegacy> for ErrorReport {
+    fn from(error: ErrorLegacy) -> Self {
+        let data = error.error_data.map_or_else(ErrorData::default, |data| ErrorData::new(&data.0));
+        Self { command: None, code: error.error_code.raw(), data }
+    }
+}
+
+impl From<Error> for ErrorReport {
+    fn from(error: Error) -> Self {
+        Self { command: Some(error.cmd_id), code: error.error_code.raw(), data: error.error_data }
     }
 }
 

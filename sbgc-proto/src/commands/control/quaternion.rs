@@ -122,7 +122,7 @@ flags! {
 }
 
 /// Asks for the state of control by quaternion.
-#[message(CMD_CONTROL_QUAT_STATUS, outgoing, size = 4, since = "2.73.0", answer = ControlQuatStatus)]
+#[message(CMD_CONTROL_QUAT_STATUS, outgoing, size = 4, since = "2.73.0", answer = ControlQuatStatus, echo = data_set)]
 #[derive(Copy)]
 pub struct ControlQuatStatusRequest {
     /// Which parts the answer shall have.

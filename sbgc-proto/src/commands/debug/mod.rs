@@ -126,7 +126,8 @@ pub struct DebugVars3Request {}
 ///
 /// The answer repeats the masks before the values.
 #[message(
-    CMD_DEBUG_VARS_3, outgoing, form = "extended", size = 4..=32, length = 4.., since = "2.72b0", answer = DebugVars3<'answer>
+    CMD_DEBUG_VARS_3, outgoing, form = "extended", size = 4..=32, length = 4.., since = "2.72b0",
+    answer = DebugVars3<'answer>, echo = same(selected_mask => var_value)
 )]
 pub struct DebugVars3ExtendedRequest {
     /// Bit i of mask k asks for variable 32 k + i. As many masks as reach to the last of them.

@@ -181,7 +181,7 @@ pub enum ExtMotorControlMode {
 }
 
 /// Asks for the state of auxiliary motors: each chosen motor answers with a message of its own.
-#[message(CMD_EXT_MOTORS_STATE, outgoing, size = 5, since = "2.73.0", answer = ExtMotorsState)]
+#[message(CMD_EXT_MOTORS_STATE, outgoing, size = 5, since = "2.73.0", answer = ExtMotorsState, echo = [one_of(for_motors => motor_id), data_set])]
 #[derive(Copy)]
 pub struct ExtMotorsStateRequest {
     /// Which motors.

@@ -12,7 +12,7 @@ use crate::units::{AccelerationLimit, Angle, GyroDeadband, ServoRate, VoltageThr
 use crate::wire::PerAxis;
 
 /// Asks for the first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
-#[message(CMD_READ_PARAMS_3, outgoing, size = 1, answer = Params3)]
+#[message(CMD_READ_PARAMS_3, outgoing, size = 1, answer = Params3, echo = profile(profile_id))]
 pub struct ReadParams3 {
     /// Which profile. Any number above 4 is the active one.
     pub profile_id: ProfileId,

@@ -11,7 +11,7 @@ use crate::units::{
 use crate::wire::{PerAxis, Reserved};
 
 /// Asks for the second block of a profile's parameters: filters, encoders, magnetometer.
-#[message(CMD_READ_PARAMS_EXT, outgoing, size = 1, answer = ParamsExt)]
+#[message(CMD_READ_PARAMS_EXT, outgoing, size = 1, answer = ParamsExt, echo = profile(profile_id))]
 pub struct ReadParamsExt {
     /// Which profile. Any number above 4 is the active one.
     pub profile_id: ProfileId,

@@ -14,7 +14,7 @@ use crate::units::{
 use crate::wire::{PerAxis, PerXyz, Reserved};
 
 /// Asks for the third block of a profile's parameters: MavLink, limits, automated motion, signals.
-#[message(CMD_READ_PARAMS_EXT2, outgoing, size = 1, answer = ParamsExt2)]
+#[message(CMD_READ_PARAMS_EXT2, outgoing, size = 1, answer = ParamsExt2, echo = profile(profile_id))]
 pub struct ReadParamsExt2 {
     /// Which profile. Any number above 4 is the active one.
     pub profile_id: ProfileId,

@@ -14,7 +14,7 @@ use crate::units::{
 use crate::wire::{Bytes, PerAxis, Reserved};
 
 /// Asks for the fourth block of a profile's parameters: external IMU and, in newer firmware, much else.
-#[message(CMD_READ_PARAMS_EXT3, outgoing, size = 1, since = "2.66", answer = ParamsExt3)]
+#[message(CMD_READ_PARAMS_EXT3, outgoing, size = 1, since = "2.66", answer = ParamsExt3, echo = profile(profile_id))]
 pub struct ReadParamsExt3 {
     /// Which profile. Any number above 4 is the active one.
     pub profile_id: ProfileId,

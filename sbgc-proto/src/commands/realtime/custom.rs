@@ -18,7 +18,8 @@ use self::RealtimeDataCustomFlags as Flags;
 ///
 /// The board answers with [`RealtimeDataCustom`], which does not say what it holds: read it with the flags that were
 /// asked for.
-#[message(CMD_REALTIME_DATA_CUSTOM, outgoing, size = 10, since = "2.60", answer = RealtimeDataCustomView<'answer>)]
+#[message(CMD_REALTIME_DATA_CUSTOM, outgoing, size = 10, since = "2.60", answer = RealtimeDataCustomView<'answer>,
+    echo = flags(flags => body))]
 #[derive(Copy)]
 pub struct RealtimeDataCustomRequest {
     /// What the answer shall hold. Take care that it fits: see [`RealtimeDataCustomFlags::payload_len`].

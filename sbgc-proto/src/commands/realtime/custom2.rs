@@ -14,7 +14,8 @@ use self::RealtimeDataCustom2Flags as Flags;
 /// The board answers with [`RealtimeDataCustom2`], which does not say what it holds: read it with the flags that were
 /// asked for.
 #[message(
-    CMD_REALTIME_DATA_CUSTOM2, outgoing, size = 10, since = "2.74.2", answer = RealtimeDataCustom2View<'answer>
+    CMD_REALTIME_DATA_CUSTOM2, outgoing, size = 10, since = "2.74.2", answer = RealtimeDataCustom2View<'answer>,
+    echo = flags(flags => body)
 )]
 #[derive(Copy)]
 pub struct RealtimeDataCustom2Request {

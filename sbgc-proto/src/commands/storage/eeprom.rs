@@ -5,7 +5,7 @@ use sbgc_proto_macros::message;
 use crate::commands::Confirm;
 
 /// Asks for a block of 64, 128 or 192 bytes of the EEPROM.
-#[message(CMD_EEPROM_READ, outgoing, size = 6, answer = EepromRead<'answer>)]
+#[message(CMD_EEPROM_READ, outgoing, size = 6, answer = EepromRead<'answer>, echo = addr)]
 pub struct EepromReadRequest {
     /// Where the block starts: a multiple of 64.
     #[wire(unit = "byte")]
@@ -30,7 +30,7 @@ pub struct EepromRead<'a> {
 /// **Nothing checks what is written**: a wrong block destroys settings and calibrations, so read and keep what was
 /// there. On success the board confirms with [`addr`](Self::addr) as the data of the confirmation. How many bytes of it
 /// the confirmation carries, one to four, is not settled; compare as many as have come.
-#[message(CMD_EEPROM_WRITE, outgoing, size = 4..=255, answer = Confirm)]
+#[message(CMD_EEPROM_WRITE, outgoing, size = 4..=255, answer = Confirm, echo = number(addr => data))]
 pub struct EepromWrite<'a> {
     /// Where the block starts: a multiple of 64.
     #[wire(unit = "byte")]

@@ -10,7 +10,7 @@ use crate::wire::{Reserved, bit_enums, bit_fields};
 ///
 /// The board answers with the bytes from the offset on, up to the end of the file and not more than asked for; or,
 /// where that fails, with [`FilePartError`]. A part must fit into one message, which leaves 251 bytes for it.
-#[message(CMD_READ_FILE, outgoing, size = 20, answer = FilePart<'answer>)]
+#[message(CMD_READ_FILE, outgoing, size = 20, answer = FilePart<'answer>, echo = page_offset)]
 pub struct ReadFile {
     /// Which file.
     pub file_id: FileId,
@@ -81,7 +81,7 @@ pub struct WriteFileDelete {
 ///
 /// Takes about five seconds and, as the vendor's library warns, erases the settings in the EEPROM as well. The board
 /// confirms when it is done, with a [`FsErrorCode`] as the data of the confirmation.
-#[message(CMD_FS_CLEAR_ALL, outgoing, size = 0, answer = Confirm)]
+#[message(CMD_FS_CLEAR_ALL, outgoing, size = 0, answer = Confirm, slow)]
 pub struct FsClearAll {}
 
 bit_fields! {

@@ -1,0 +1,182 @@
+//! What a request says about its exchange: what answers it, what of it the answer repeats, and what it does.
+//!
+//! The facts stand in the declarations of the requests; here is the form in which programs find them.
+
+use crate::CommandId;
+use crate::wire::Slot;
+
+/// What is known of the exchange that a command begins.
+///
+/// [`Message::REQUEST`](crate::Message::REQUEST) has it for a type, [`RequestInfo::of_payload`] for bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct RequestInfo {
+    /// The command id of the answer; `None` where there is none, or none that is sure to come.
+    pub answer: Option<CommandId>,
+    /// Whether the command does more than ask, so that sending it twice may do it twice.
+    pub acts: bool,
+    /// Whether the answer may take seconds, because the work comes before it.
+    pub slow: bool,
+    /// What of the request the answer repeats.
+    pub(crate) echo: &'static [Echo],
+}
+
+impl RequestInfo {
+    /// Of a message that nothing answers and that does nothing: those from the board.
+    pub(crate) const NONE: Self = Self { answer: None, acts: false, slow: false, echo: &[] };
+
+    /// A request that is answered by `answer`, which repeats `echo`.
+    pub(crate) const fn new(
+        answer: Option<CommandId>,
+        acts: bool,
+        slow: bool,
+        echo: &'static [Echo],
+    ) -> Self {
+        Self { answer, acts, slow, echo }
+    }
+}
+
+/// Something in a request that its answer repeats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Echo {
+    rule: Rule,
+    /// Where it stands in the request.
+    request: u8,
+    /// Where it stands in the answer.
+    answer: u8,
+    /// How many bytes, in lists of one element of the answer.
+    size: u8,
+}
+
+/// How it is repeated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Rule {
+    /// As it is.
+    Same,
+    /// As it is, in as many bytes as the answer happens to have.
+    Number,
+    /// A profile as it is; the number of no profile means the current one, and the answer has that one's.
+    Profile,
+    /// Flags as they are, if the highest of them asks for that.
+    Flags,
+    /// A counted list as it is; between the numbers of the answer stands more.
+    Each,
+    /// Of several bits the number of one.
+    OneOf,
+    /// A number from which on things are listed, so that the answer has it or a greater one.
+    From,
+}
+
+/// The highest profile number that means just that profile.
+const LAST_PROFILE: u8 = 4;
+
+#[expect(clippy::panic, reason = "these end the compilation, not a program")]
+impl Echo {
+    const fn new(rule: Rule, request: Slot, answer: Slot) -> Self {
+        assert!(
+            matches!(rule, Rule::Number | Rule::Flags) || request.width() == answer.width(),
+            "the field has another size in the answer"
+        );
+        Self { rule, request: request.offset(), answer: answer.offset(), size: request.width() }
+    }
+
+    /// The answer has the same bytes.
+    pub(crate) const fn same(request: Slot, answer: Slot) -> Self {
+        Self::new(Rule::Same, request, answer)
+    }
+
+    /// The answer has the same number in a width that is not known beforehand.
+    pub(crate) const fn number(request: Slot, answer: Slot) -> Self {
+        Self::new(Rule::Number, request, answer)
+    }
+
+    /// The answer has the profile, or the current one if that was asked for.
+    pub(crate) const fn profile(request: Slot, answer: Slot) -> Self {
+        Self::new(Rule::Profile, request, answer)
+    }
+
+    /// The answer has the flags if the highest of them is set.
+    pub(crate) const fn flags(request: Slot, answer: Slot) -> Self {
+        Self::new(Rule::Flags, request, answer)
+    }
+
+    /// The answer has a list of as many elements, each of which begins with one of the request's.
+    pub(crate) const fn each(request: Slot, answer: Slot, element: &str) -> Self {
+        let Some(elements) = answer.elements else { panic!("the answer must have a list") };
+        assert!(request.counted && answer.counted, "both must be lists with a count byte");
+        let first = Slot::find(elements, element);
+        assert!(first.offset() == 0 && first.width() == request.width(), "elements must begin with it");
+        assert!(request.width() == 1, "only numbers of one byte are repeated one by one");
+        Self { rule: Rule::Each, request: request.offset(), answer: answer.offset(), size: answer.width() }
+    }
+
+    /// The answer has the number of one of the bits.
+    pub(crate) const fn one_of(request: Slot, answer: Slot) -> Self {
+        Self::new(Rule::OneOf, request, answer)
+    }
+
+    /// The answer has a list whose first element begins with that number or a greater one.
+    pub(crate) const fn from(request: Slot, answer: Slot, element: &str) -> Self {
+        let Some(elements) = answer.elements else { panic!("the answer must have a list") };
+        assert!(Slot::find(elements, element).offset() == 0 && request.width() == 1);
+        Self { rule: Rule::From, request: request.offset(), answer: answer.offset(), size: 1 }
+    }
+}
+
+impl Echo {
+    /// Whether an answer with this payload repeats what the request has. Bytes that either lacks count as repeated:
+    /// boards report some errors by short answers.
+    pub(crate) fn admits(self, request: &[u8], answer: &[u8]) -> bool {
+        let (request, answer) = (from(request, self.request), from(answer, self.answer));
+        let size = usize::from(self.size);
+        let same = || request.iter().zip(answer).take(size).all(|(one, other)| one == other);
+        match self.rule {
+            Rule::Same | Rule::Number => same(),
+            Rule::Profile => !names_profile(request) || same(),
+            Rule::Flags => !has_highest(request, size) || same(),
+            Rule::Each => match (request, answer) {
+                ([count, request @ ..], [other, answer @ ..]) => {
+                    let there = answer.iter().step_by(size.max(1)).take(usize::from(*count));
+                    count == other && request.iter().zip(there).all(|(one, other)| one == other)
+                }
+                _ => true,
+            },
+            Rule::OneOf => match (request, answer) {
+                ([bits, ..], [number, ..]) => bits.checked_shr(u32::from(*number)).unwrap_or(0) & 1 != 0,
+                _ => true,
+            },
+            Rule::From => match (request, answer) {
+                ([first, ..], [number, ..]) => number >= first,
+                _ => true,
+            },
+        }
+    }
+
+    /// Whether no answer could repeat both requests.
+    pub(crate) fn excludes(self, one: &[u8], other: &[u8]) -> bool {
+        let (one, other) = (from(one, self.request), from(other, self.request));
+        let size = usize::from(self.size);
+        let differ = |size| one.iter().zip(other).take(size).any(|(one, other)| one != other);
+        match self.rule {
+            Rule::Same => differ(size),
+            Rule::Profile => names_profile(one) && names_profile(other) && differ(size),
+            Rule::Flags => has_highest(one, size) && has_highest(other, size) && differ(size),
+            Rule::Each => differ(one.first().map_or(0, |&count| usize::from(count) + 1)),
+            Rule::OneOf => matches!((one, other), ([one, ..], [other, ..]) if one & other == 0),
+            // Nothing says how many bytes the answer has, or where its list ends.
+            Rule::Number | Rule::From => false,
+        }
+    }
+}
+
+fn from(payload: &[u8], at: u8) -> &[u8] {
+    payload.get(usize::from(at)..).unwrap_or_default()
+}
+
+fn names_profile(field: &[u8]) -> bool {
+    field.first().is_some_and(|&profile| profile <= LAST_PROFILE)
+}
+
+fn has_highest(field: &[u8], size: usize) -> bool {
+    size.checked_sub(1).and_then(|last| field.get(last)).is_some_and(|byte| byte & 0x80 != 0)
+}

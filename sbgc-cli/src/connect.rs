@@ -1,57 +1,116 @@
-//! From the shared arguments to a gimbal that answers.
+//! From the shared options to a gimbal that responds.
 
-use sbgc_host::transport::{Address, Line, PortKind, ports};
+use sbgc_host::transport::{self, Address, Line, PortKind, ports};
 use sbgc_host::{Gimbal, Options, VersionChoice};
 use sbgc_proto::commands::BoardInfo;
 use sbgc_proto::frame::Version;
 
-use crate::args::{Global, Protocol};
-use crate::failure::Failure;
+use crate::failure::{Failure, NoBoard};
+use crate::options::{Baud, Global, Parity, Protocol};
+use crate::signals;
 
-/// Opens the port, makes sure that a board answers, and does `work` with it.
+/// Opens the port, makes sure that a board responds, and does `work` with it.
 ///
-/// However that ends, the streams are taken from the board and the port is given back.
+/// A signal ends the work by dropping it. However it ends, streams are unregistered and the port is closed.
 pub(crate) async fn with_board<T>(
     global: &Global,
     work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
-    let address = address(global)?;
-    tracing::info!("opening {address}");
-    let line = Line { baud: global.baud, ..Line::default() };
-    let options = Options {
-        version: match global.protocol {
-            Protocol::Auto => VersionChoice::Auto,
-            Protocol::V1 => VersionChoice::Only(Version::V1),
-            Protocol::V2 => VersionChoice::Only(Version::V2),
-        },
-        timeout: global.timeout(),
-        baud: address.baud(line),
-        ..Options::default()
-    };
-    let gimbal = Gimbal::spawn(address.open(line).await?, options);
-    let outcome = match gimbal.handshake().await {
-        Ok(info) => {
-            let version = gimbal.version().number();
-            let (board, firmware) = (info.board_ver.number(), info.firmware_ver);
-            tracing::info!("board {board}, firmware {firmware}, talking in version {version}");
-            work(gimbal.clone(), info).await
+    with_board_to_the_end(global, async |gimbal, info| {
+        tokio::select! {
+            biased;
+            signal = signals::stopped() => Err(Failure::Signal(signal)),
+            outcome = work(gimbal, info) => outcome,
         }
-        Err(source @ sbgc_host::Error::Timeout { .. }) => {
-            let place = match options.baud {
-                Some(baud) => format!("{address} at {baud} baud"),
-                None => address.to_string(),
-            };
-            Err(Failure::NoBoard { place, protocol: global.protocol, source })
-        }
-        Err(error) => Err(error.into()),
+    })
+    .await
+}
+
+/// Like [`with_board`], but a signal does not end the work: it looks for [`signals::stopped`] itself.
+pub(crate) async fn with_board_to_the_end<T>(
+    global: &Global,
+    work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let (gimbal, info) = tokio::select! {
+        biased;
+        signal = signals::stopped() => return Err(Failure::Signal(signal)),
+        connected = connect(global) => connected?,
     };
+    let version = gimbal.version().number();
+    let (board, firmware) = (info.board_ver.number(), info.firmware_ver);
+    tracing::info!("board {board}, firmware {firmware}, protocol version {version}");
+    let outcome = work(gimbal.clone(), info).await;
     let counters = gimbal.clone();
     gimbal.close().await;
     tracing::info!("{}", counters.counters());
     outcome
 }
 
-fn address(global: &Global) -> Result<Address, Failure> {
+async fn connect(global: &Global) -> Result<(Gimbal, BoardInfo), Failure> {
+    let address = address(global)?;
+    let mut failed = None;
+    for line in lines(global, &address) {
+        tracing::info!("opening {address}");
+        let options = Options {
+            version: match global.protocol {
+                Protocol::Auto => VersionChoice::Auto,
+                Protocol::V1 => VersionChoice::Only(Version::V1),
+                Protocol::V2 => VersionChoice::Only(Version::V2),
+            },
+            timeout: global.timeout,
+            baud: address.baud(line),
+            ..Options::default()
+        };
+        let gimbal = Gimbal::spawn(address.open(line).await?, options);
+        let error = match gimbal.handshake().await {
+            Ok(info) => return Ok((gimbal, info)),
+            Err(error) => error,
+        };
+        gimbal.close().await;
+        match error {
+            source @ sbgc_host::Error::Timeout { .. } => failed = Some(source),
+            error => return Err(error.into()),
+        }
+    }
+    let source = failed.unwrap_or(sbgc_host::Error::Closed);
+    let place = match (&address, global.baud) {
+        (Address::Serial(_), Baud::Rate(baud)) => format!("{address} at {baud} baud"),
+        _ => address.to_string(),
+    };
+    let tried = match global.protocol {
+        Protocol::Auto => "versions 2 and 1",
+        Protocol::V1 => "version 1",
+        Protocol::V2 => "version 2",
+    };
+    let hint = match global.protocol {
+        Protocol::Auto => "",
+        Protocol::V1 => {
+            "A board that has seen version 2 takes nothing else until it restarts: omit --protocol. "
+        }
+        Protocol::V2 => "Firmware before 2.68 knows version 1 only: omit --protocol. ",
+    };
+    Err(Failure::NoBoard(Box::new(NoBoard { place, tried, hint, source })))
+}
+
+/// The settings of the line to try, most likely first.
+fn lines(global: &Global, address: &Address) -> Vec<Line> {
+    let serial = matches!(address, Address::Serial(_));
+    let rates = match global.baud {
+        Baud::Auto if serial => Line::BAUDS.to_vec(),
+        Baud::Auto => vec![Line::default().baud],
+        Baud::Rate(rate) => vec![rate],
+    };
+    let parities = match global.parity {
+        Parity::Auto if serial => vec![transport::Parity::None, transport::Parity::Even],
+        Parity::Even => vec![transport::Parity::Even],
+        Parity::None | Parity::Auto => vec![transport::Parity::None],
+    };
+    let of_rate = |baud: u32| parities.iter().map(move |&parity| Line { baud, parity });
+    rates.into_iter().flat_map(of_rate).collect()
+}
+
+/// Where the board is: as given, or the only port that is likely to be one.
+pub(crate) fn address(global: &Global) -> Result<Address, Failure> {
     if let Some(port) = &global.port {
         return port.parse().map_err(|error: sbgc_host::Error| Failure::Usage(format!("--port: {error}")));
     }
@@ -60,13 +119,13 @@ fn address(global: &Global) -> Result<Address, Failure> {
     match (likely.as_slice(), ports.as_slice()) {
         ([port], _) => Ok(Address::Serial(port.name.clone())),
         ([], []) => Err(Failure::Usage(String::from(
-            "there is no serial port; say where the board is with --port or SBGC_PORT, or try --port sim",
+            "no serial port found; set --port or SBGC_PORT, or try --port sim",
         ))),
         _ => {
             let names: Vec<_> = ports.iter().map(|port| format!("  {port}")).collect();
             let names = names.join("\n");
             Err(Failure::Usage(format!(
-                "no single port looks like the board; choose one with --port:\n{names}"
+                "cannot tell which port is the board; choose one with --port:\n{names}"
             )))
         }
     }

@@ -5,8 +5,10 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use sbgc_host::Error;
+use serde_json::json;
 
-use crate::args::Protocol;
+use crate::signals::Signal;
+use crate::{talk, text};
 
 /// Why a command was not carried out.
 #[derive(Debug, thiserror::Error)]
@@ -23,9 +25,9 @@ pub(crate) enum Failure {
     #[error("standard output: {0}")]
     Output(#[from] io::Error),
 
-    /// Nobody answers.
-    #[error("no board found on {place}, {} tried: {source}", versions(*.protocol))]
-    NoBoard { place: String, protocol: Protocol, source: Error },
+    /// No board responds.
+    #[error("{0}")]
+    NoBoard(Box<NoBoard>),
 
     /// The board, or the way to it.
     #[error(transparent)]
@@ -34,52 +36,97 @@ pub(crate) enum Failure {
     /// A capture that is not what it should be.
     #[error(transparent)]
     Capture(#[from] sbgc_host::capture::ReadError),
+
+    /// Nobody has said yes.
+    #[error("{0}")]
+    NotConfirmed(String),
+
+    /// The program was asked to stop.
+    #[error("stopped by {0}")]
+    Signal(Signal),
+
+    /// Anything else that was tried and did not work.
+    #[allow(dead_code, reason = "commands that check what came back use it")]
+    #[error("{0}")]
+    Failed(String),
 }
 
-fn versions(protocol: Protocol) -> &'static str {
-    match protocol {
-        Protocol::Auto => "versions 2 and 1",
-        Protocol::V1 => "version 1",
-        Protocol::V2 => "version 2",
-    }
+/// Where no board responded, and what was tried there.
+#[derive(Debug, thiserror::Error)]
+#[error("no board responded on {place} (tried {tried}): {source}")]
+pub(crate) struct NoBoard {
+    pub(crate) place: String,
+    pub(crate) tried: &'static str,
+    pub(crate) hint: &'static str,
+    pub(crate) source: Error,
 }
 
 impl Failure {
     /// Prints the failure and returns the exit code.
-    pub(crate) fn report(self) -> ExitCode {
-        if let Failure::Output(error) = &self {
+    pub(crate) fn report(self, json: bool) -> ExitCode {
+        match &self {
             // Whoever read the output has had enough.
-            if error.kind() == io::ErrorKind::BrokenPipe {
-                return ExitCode::SUCCESS;
+            Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
+            // Who stops a program knows that it stopped.
+            Failure::Signal(_) if !json => {}
+            _ if json => {
+                talk::say(
+                    json!({"error": {"kind": self.kind(), "message": self.to_string(), "code": self.code()}}),
+                );
             }
-        }
-        eprintln!("sbgc: {self}");
-        if let Some(hint) = self.hint() {
-            eprintln!("{hint}");
+            _ => {
+                talk::say(format_args!("sbgc: {}", text::escape_lines(&self.to_string())));
+                if let Some(hint) = self.hint() {
+                    talk::say(hint);
+                }
+            }
         }
         ExitCode::from(self.code())
     }
 
-    fn code(&self) -> u8 {
+    /// The name under which programs know it.
+    pub(crate) fn kind(&self) -> &'static str {
         match self {
-            Failure::Usage(_) => 2,
-            Failure::NoBoard { .. } | Failure::Host(Error::Timeout { .. }) => 3,
+            Failure::Usage(_) | Failure::Host(Error::BadAddress { .. }) => "usage",
+            Failure::File { .. } => "file",
+            Failure::Output(_) => "output",
+            Failure::NoBoard(_) | Failure::Host(Error::Timeout { .. }) => "no_answer",
+            Failure::Host(Error::Refused { .. }) => "refused",
+            Failure::Host(
+                Error::Io(_)
+                | Error::Open { .. }
+                | Error::Disconnected
+                | Error::NoSuchPort { .. }
+                | Error::PermissionDenied { .. }
+                | Error::PortBusy { .. }
+                | Error::NotBuilt { .. },
+            ) => "port",
+            Failure::Capture(_) => "capture",
+            Failure::NotConfirmed(_) => "not_confirmed",
+            Failure::Signal(_) => "signal",
+            Failure::Host(_) | Failure::Failed(_) => "failed",
+        }
+    }
+
+    /// The exit code.
+    pub(crate) fn code(&self) -> u8 {
+        match self {
+            Failure::Usage(_) | Failure::Host(Error::BadAddress { .. }) => 2,
+            Failure::NoBoard(_) | Failure::Host(Error::Timeout { .. }) => 3,
             Failure::Host(Error::Refused { .. }) => 4,
+            Failure::NotConfirmed(_) => 5,
+            Failure::Signal(signal) => signal.code(),
             _ => 1,
         }
     }
 
-    fn hint(&self) -> Option<String> {
+    /// What a person may do about it.
+    pub(crate) fn hint(&self) -> Option<String> {
         match self {
-            Failure::NoBoard { protocol, .. } => {
-                let version = match protocol {
-                    Protocol::Auto => "",
-                    Protocol::V1 => {
-                        "A board that has seen version 2 takes nothing else until it restarts: leave out --protocol. "
-                    }
-                    Protocol::V2 => "Firmware before 2.68 knows version 1 only: leave out --protocol. ",
-                };
-                Some(format!("{version}Another rate is set with --baud; -vv shows every frame."))
+            Failure::NoBoard(failed) => {
+                let general =
+                    "`sbgc doctor` looks for the cause; --baud sets another rate, -vv shows every frame.";
+                Some(format!("{}{general}", failed.hint))
             }
             Failure::Host(Error::PermissionDenied { path, group }) => permission_hint(path, group.as_deref()),
             _ => None,
@@ -87,16 +134,25 @@ impl Failure {
     }
 }
 
-/// How to get access to a device; nothing for what is no serial port of the machine.
-fn permission_hint(path: &Path, group: Option<&str>) -> Option<String> {
+/// For commands that run until they are stopped: being stopped is their usual end.
+pub(crate) fn until_stopped<T: Default>(result: Result<T, Failure>) -> Result<T, Failure> {
+    match result {
+        Err(Failure::Signal(signal)) if signal.is_ordinary() => Ok(T::default()),
+        other => other,
+    }
+}
+
+/// How to get access to a device; nothing for what is not a serial port of the machine.
+pub(crate) fn permission_hint(path: &Path, group: Option<&str>) -> Option<String> {
     let device = path.canonicalize().unwrap_or_else(|_| path.to_path_buf());
     let name = device.file_name().unwrap_or_default().to_string_lossy();
-    let join = group.map(|group| format!("Join it: sudo usermod -aG {group} $USER, then log in anew."));
+    let join =
+        group.map(|group| format!("To join the group: sudo usermod -aG {group} $USER, then log in again."));
     let kernel = name.trim_end_matches(|letter: char| letter.is_ascii_digit());
     let udev = kernel.starts_with("tty").then(|| {
         let group = group.unwrap_or("dialout");
         format!(
-            "{} udev give it to whoever sits at the machine, with this line in /etc/udev/rules.d/60-sbgc.rules:\n\
+            "{} udev grant access to the logged-in user, with this line in /etc/udev/rules.d/60-sbgc.rules:\n\
              SUBSYSTEM==\"tty\", KERNEL==\"{kernel}[0-9]*\", GROUP=\"{group}\", MODE=\"0660\", TAG+=\"uaccess\"",
             if join.is_some() { "Or let" } else { "Let" },
         )
@@ -112,10 +168,24 @@ mod tests {
     #[test]
     fn access_is_explained_for_serial_ports() {
         let hint = permission_hint(Path::new("/dev/ttyUSB7"), Some("dialout")).unwrap();
-        assert!(hint.starts_with("Join it: sudo usermod -aG dialout $USER"), "{hint}");
+        assert!(hint.starts_with("To join the group: sudo usermod -aG dialout $USER"), "{hint}");
         assert!(hint.contains("Or let udev") && hint.contains("KERNEL==\"ttyUSB[0-9]*\""), "{hint}");
         let hint = permission_hint(Path::new("/dev/ttyACM0"), None).unwrap();
         assert!(hint.starts_with("Let udev") && hint.contains("GROUP=\"dialout\""), "{hint}");
         assert_eq!(permission_hint(Path::new("/dev/pts/0"), None), None);
+    }
+
+    #[test]
+    fn exit_codes_and_kinds() {
+        let timeout = Error::Timeout { command: "CMD_X", after: std::time::Duration::ZERO, attempts: 1 };
+        for (failure, kind, code) in [
+            (Failure::Usage(String::new()), "usage", 2),
+            (Failure::Host(timeout), "no_answer", 3),
+            (Failure::Host(Error::Disconnected), "port", 1),
+            (Failure::NotConfirmed(String::new()), "not_confirmed", 5),
+            (Failure::Output(io::ErrorKind::StorageFull.into()), "output", 1),
+        ] {
+            assert_eq!((failure.kind(), failure.code()), (kind, code));
+        }
     }
 }

@@ -1,19 +1,54 @@
-//! Standard output: text for people, or JSON, one object a line.
+//! Standard output: text for people, or JSON Lines.
 
-use std::io::{self, StdoutLock, Write};
+use std::fmt::Display;
+use std::io::{self, IsTerminal as _, Write};
 
-use serde_json::Value;
+use serde::Serialize as _;
+use serde_json::{Map, Value, json};
+
+use crate::options::Global;
+use crate::text;
 
 /// Where results go.
 #[derive(Debug)]
 pub(crate) struct Output {
-    out: io::BufWriter<StdoutLock<'static>>,
+    out: io::BufWriter<io::Stdout>,
     json: bool,
+    colored: bool,
+}
+
+/// What became of an action.
+#[allow(dead_code, reason = "the words that all commands share")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum State {
+    Accepted,
+    Reached,
+    Done,
+    Stopped,
+    Cancelled,
+    Refused,
+    Failed,
+}
+
+impl State {
+    pub(crate) const fn as_str(self) -> &'static str {
+        match self {
+            State::Accepted => "accepted",
+            State::Reached => "reached",
+            State::Done => "done",
+            State::Stopped => "stopped",
+            State::Cancelled => "cancelled",
+            State::Refused => "refused",
+            State::Failed => "failed",
+        }
+    }
 }
 
 impl Output {
-    pub(crate) fn new(json: bool) -> Self {
-        Output { out: io::BufWriter::new(io::stdout().lock()), json }
+    pub(crate) fn new(global: &Global) -> Self {
+        let stdout = io::stdout();
+        let colored = global.color.is_on(stdout.is_terminal());
+        Output { out: io::BufWriter::with_capacity(64 * 1024, stdout), json: global.json, colored }
     }
 
     /// Whether JSON was asked for.
@@ -21,18 +56,94 @@ impl Output {
         self.json
     }
 
+    /// Whether text may be colored.
+    pub(crate) fn is_colored(&self) -> bool {
+        self.colored && !self.json
+    }
+
     /// Prints one line of text.
-    pub(crate) fn line(&mut self, text: impl std::fmt::Display) -> io::Result<()> {
+    pub(crate) fn line(&mut self, text: impl Display) -> io::Result<()> {
         writeln!(self.out, "{text}")
     }
 
     /// Prints one object.
     pub(crate) fn object(&mut self, object: &Value) -> io::Result<()> {
-        writeln!(self.out, "{object}")
+        let mut serializer = serde_json::Serializer::with_formatter(&mut self.out, ForTerminals);
+        object.serialize(&mut serializer)?;
+        self.out.write_all(b"\n")
+    }
+
+    /// Prints what became of an action: as JSON `command`, `state` and the members of `own`, else `text`.
+    pub(crate) fn outcome(
+        &mut self,
+        command: &str,
+        state: State,
+        own: Value,
+        text: impl Display,
+    ) -> io::Result<()> {
+        if !self.json {
+            return self.line(text);
+        }
+        let mut object = Map::new();
+        object.insert("command".into(), command.into());
+        object.insert("state".into(), state.as_str().into());
+        if let Value::Object(own) = own {
+            object.extend(own);
+        }
+        self.object(&Value::Object(object))
+    }
+
+    /// Prints a frame that `--dry-run` keeps from being sent.
+    pub(crate) fn frame(&mut self, name: Option<&str>, id: u8, frame: &[u8]) -> io::Result<()> {
+        if self.json {
+            return self.object(&json!({"name": name, "id": id, "frame": hex::encode(frame)}));
+        }
+        let pairs: Vec<String> = frame.iter().map(|byte| format!("{byte:02X}")).collect();
+        self.line(pairs.join(" "))
+    }
+
+    /// What is printed as it is.
+    pub(crate) fn writer(&mut self) -> &mut impl Write {
+        &mut self.out
     }
 
     /// Lets what was printed be seen.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         self.out.flush()
+    }
+}
+
+/// Compact JSON in which nothing is left that a terminal would obey.
+struct ForTerminals;
+
+impl serde_json::ser::Formatter for ForTerminals {
+    fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
+        if fragment.is_ascii() && !fragment.contains('\u{7F}') {
+            return writer.write_all(fragment.as_bytes());
+        }
+        for character in fragment.chars() {
+            if text::is_obeyed(character) {
+                // All of these are below U+10000.
+                write!(writer, "\\u{:04x}", u32::from(character))?;
+            } else {
+                write!(writer, "{character}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn json_holds_nothing_that_a_terminal_obeys() {
+        let value = json!({"name": "a\u{1B}b\u{9B}c\u{7F}d\u{202E}é"});
+        let mut bytes = Vec::new();
+        value.serialize(&mut serde_json::Serializer::with_formatter(&mut bytes, ForTerminals)).unwrap();
+        let text = String::from_utf8(bytes).unwrap();
+        assert_eq!(text, "{\"name\":\"a\\u001bb\\u009bc\\u007fd\\u202eé\"}");
+        assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), value);
     }
 }

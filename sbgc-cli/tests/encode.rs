@@ -19,7 +19,7 @@ fn mistakes_are_named() {
         (&["encode", "NOTHING"][..], "\"NOTHING\" is no outgoing command"),
         (&["encode", "READ_PARAMS", "profil=1"], "profil=1: no such field; there are profile_id"),
         (&["encode", "READ_PARAMS", "profile_id=300"], "profile_id=300: out of range, which is 0 to 255"),
-        (&["encode", "READ_PARAMS", "profile_id"], "\"profile_id\" is no FIELD=VALUE"),
+        (&["encode", "READ_PARAMS", "profile_id"], "expected FIELD=VALUE, got \"profile_id\""),
         (&["encode", "CONTROL", "--form", "other"], "no form \"other\"; there are legacy, extended"),
     ] {
         let output = run(arguments);

@@ -11,7 +11,15 @@ use serde_json::Value;
 /// The program, without what the surroundings say.
 pub(crate) fn sbgc() -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_sbgc"));
-    command.env_remove("SBGC_PORT");
+    for (variable, _) in std::env::vars() {
+        if variable.starts_with("SBGC_") {
+            command.env_remove(variable);
+        }
+    }
+    // Nobody's own settings.
+    command
+        .env("XDG_CONFIG_HOME", "/nonexistent")
+        .env("XDG_STATE_HOME", std::env::temp_dir().join("sbgc-test-state"));
     command
 }
 

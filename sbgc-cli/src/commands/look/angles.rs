@@ -3,13 +3,19 @@
 use clap::Args;
 use serde_json::{Map, Value};
 
-use crate::args::Global;
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::fields;
+use crate::options::Global;
 use crate::output::Output;
 
+const EXAMPLES: &str = "Examples:
+  sbgc angles
+  sbgc angles --json";
+
+/// Show current and target angles
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Angles {}
 
 impl Angles {

@@ -4,13 +4,21 @@ use clap::Args;
 use sbgc_host::Error;
 use serde_json::{Map, Value};
 
-use crate::args::Global;
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::fields;
+use crate::options::Global;
 use crate::output::Output;
 
+const EXAMPLES: &str = "Examples:
+  sbgc info
+  sbgc info --json";
+
+/// Show what the board is: versions, features, ids
+///
+/// Text output omits zero fields; --json includes them.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Info {}
 
 impl Info {

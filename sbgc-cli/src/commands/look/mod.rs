@@ -6,22 +6,14 @@ mod stream;
 
 use clap::Subcommand;
 
-use crate::args::Global;
 use crate::failure::Failure;
+use crate::options::Global;
 use crate::output::Output;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Show what the board is: versions, features, ids
-    ///
-    /// Fields that are 0 are left out of the text; --json has all of them.
     Info(info::Info),
-    /// Show where the gimbal points
     Angles(angles::Angles),
-    /// Show live data
-    ///
-    /// Runs until it is interrupted, the output is closed or --count is reached; the stream is then taken from the board.
-    #[command(after_help = stream::EXAMPLES)]
     Stream(stream::Stream),
 }
 

@@ -9,30 +9,33 @@ use sbgc_proto::commands::{RealtimeDataCustom, RealtimeDataCustomFlags, StreamSo
 use serde_json::{Map, Value, json};
 use tokio::time::timeout;
 
-use crate::args::Global;
 use crate::connect::with_board;
-use crate::failure::Failure;
-use crate::fields;
+use crate::failure::{Failure, until_stopped};
+use crate::options::Global;
 use crate::output::Output;
-use crate::signals::stopped;
 use crate::table::{Cell, Table};
+use crate::{fields, text, values};
 
-pub(super) const EXAMPLES: &str = "Examples:
+const EXAMPLES: &str = "Examples:
   sbgc stream
-  sbgc stream --data imu_angles,gyro_data --interval 10 --json
-  sbgc stream --data SYSTEM_POWER_STATE --interval 1000 --count 60";
+  sbgc stream --data imu_angles,gyro_data --interval 100Hz --json
+  sbgc stream --interval 1s --count 60";
 
+/// Show live data
+///
+/// Runs until interrupted, the output is closed, or --count samples were shown; then stops the stream.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Stream {
-    /// What to show: names of CMD_REALTIME_DATA_CUSTOM flags, with commas between
+    /// Data to show: comma-separated CMD_REALTIME_DATA_CUSTOM flags
     #[arg(long, value_name = "NAMES", value_delimiter = ',', default_value = "IMU_ANGLES,TARGET_ANGLES,TARGET_SPEED", value_parser = flag)]
     data: Vec<RealtimeDataCustomFlags>,
 
-    /// Time between samples in milliseconds, at most 65535; 1 is every cycle of the board, 0.8 ms
-    #[arg(long, default_value_t = 100, value_parser = clap::value_parser!(u16).range(1..), value_name = "MS")]
+    /// Time between samples (20ms) or their rate (50Hz); 1ms is every cycle of the board, 0.8 ms
+    #[arg(long, default_value = "100ms", value_parser = values::interval, value_name = "TIME")]
     interval: u16,
 
-    /// End after so many samples
+    /// Stop after N samples
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     count: Option<u64>,
 }
@@ -48,22 +51,18 @@ fn flag(name: &str) -> Result<RealtimeDataCustomFlags, String> {
         }
         None => {
             let names: Vec<_> = known.iter().map(|label| label.name).collect();
-            Err(format!("no such data; there are {}", names.join(", ")))
+            Err(format!(
+                "{}; available: {}",
+                text::unknown("data", name, names.iter().copied()),
+                names.join(", ")
+            ))
         }
     }
 }
 
 impl Stream {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        with_board(global, async |gimbal, _| {
-            tokio::select! {
-                biased;
-                // The stream is taken from the board before the program ends.
-                () = stopped() => Ok(()),
-                shown = self.show(&gimbal, output) => shown,
-            }
-        })
-        .await
+        until_stopped(with_board(global, async |gimbal, _| self.show(&gimbal, output).await).await)
     }
 
     async fn show(&self, gimbal: &Gimbal, output: &mut Output) -> Result<(), Failure> {

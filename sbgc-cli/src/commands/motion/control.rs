@@ -3,17 +3,24 @@
 use std::time::Duration;
 
 use clap::{Args, Subcommand};
-use sbgc_proto::OutOfRange;
 use sbgc_proto::commands::Control as ControlCommand;
 use sbgc_proto::units::{Angle, ControlRate};
 use sbgc_proto::wire::PerAxis;
+use serde_json::json;
 
-use crate::args::Global;
 use crate::connect::with_board;
 use crate::failure::Failure;
-use crate::output::Output;
+use crate::options::Global;
+use crate::output::{Output, State};
+use crate::{act, values};
 
+const EXAMPLES: &str = "Examples:
+  sbgc control angle --pitch -30 --wait
+  sbgc control angle --roll 0 --pitch 10deg --yaw -45 --speed 20";
+
+/// Move the gimbal
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Control {
     #[command(subcommand)]
     what: What,
@@ -21,9 +28,10 @@ pub(crate) struct Control {
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Turn to angles; axes that are not named are left to themselves
+    /// Move to angles; omitted axes are left unchanged
     ///
-    /// Says "accepted" as soon as the board has taken the command, with --wait "reached" when the gimbal is there.
+    /// Prints "accepted" once the board confirms, or "reached" with --wait.
+    #[command(after_help = EXAMPLES)]
     Angle(ToAngle),
 }
 
@@ -31,15 +39,15 @@ enum What {
 #[group(id = "axes", required = true, multiple = true)]
 struct Target {
     /// Angle of ROLL in degrees
-    #[arg(long, allow_negative_numbers = true, value_name = "DEG", value_parser = angle)]
+    #[arg(long, allow_hyphen_values = true, value_name = "DEG", value_parser = values::angle)]
     roll: Option<Angle>,
 
     /// Angle of PITCH in degrees
-    #[arg(long, allow_negative_numbers = true, value_name = "DEG", value_parser = angle)]
+    #[arg(long, allow_hyphen_values = true, value_name = "DEG", value_parser = values::angle)]
     pitch: Option<Angle>,
 
     /// Angle of YAW in degrees
-    #[arg(long, allow_negative_numbers = true, value_name = "DEG", value_parser = angle)]
+    #[arg(long, allow_hyphen_values = true, value_name = "DEG", value_parser = values::angle)]
     yaw: Option<Angle>,
 }
 
@@ -48,32 +56,24 @@ struct ToAngle {
     #[command(flatten)]
     target: Target,
 
-    /// Speed in degrees a second; the board's own setting when left out
-    #[arg(long, allow_negative_numbers = true, value_name = "DEG/S", value_parser = speed)]
+    /// Speed in degrees per second [default: the board's setting]
+    #[arg(long, allow_hyphen_values = true, value_name = "DEG/S", value_parser = speed)]
     speed: Option<ControlRate>,
 
     /// Wait until the angles are reached
     #[arg(long)]
     wait: bool,
 
-    /// How long to wait for that, in seconds
-    #[arg(long, requires = "wait", default_value_t = 30, value_parser = clap::value_parser!(u64).range(1..=86_400), value_name = "S")]
-    patience: u64,
-}
-
-fn number(text: &str, unit: &str) -> Result<f32, String> {
-    text.parse().map_err(|_| format!("not a number; {unit} are wanted"))
-}
-
-fn angle(text: &str) -> Result<Angle, String> {
-    Angle::try_from_degrees(number(text, "degrees")?)
-        .map_err(|OutOfRange| String::from("out of range; -720 to 719.97 degrees can be sent"))
+    /// Time to wait for that
+    #[arg(long, requires = "wait", default_value = "30s", value_parser = values::seconds, value_name = "TIME")]
+    patience: Duration,
 }
 
 fn speed(text: &str) -> Result<ControlRate, String> {
-    match ControlRate::try_from_degrees_per_second(number(text, "degrees a second")?) {
+    match values::rate(text) {
         Ok(rate) if rate.0 > 0 => Ok(rate),
-        _ => Err(String::from("out of range; 0.13 to 4000 degrees a second can be sent")),
+        Err(error) if !error.contains("out of range") => Err(error),
+        _ => Err(format!("{text} is out of range; expected 0.13 to 4000 degrees per second")),
     }
 }
 
@@ -91,23 +91,20 @@ impl ToAngle {
         let target = PerAxis { roll, pitch, yaw };
         let speed = self.speed.unwrap_or_default();
         with_board(global, async |gimbal, _| {
-            if self.wait {
-                gimbal.move_to(target, speed, Duration::from_secs(self.patience)).await?;
+            if self.wait && !global.dry_run {
+                gimbal.move_to(target, speed, self.patience).await?;
             } else {
-                gimbal.confirm(&ControlCommand::some_angles(target, speed)).await?;
+                let control = ControlCommand::some_angles(target, speed);
+                if act::confirm(global, output, &gimbal, &control).await?.is_none() {
+                    return Ok(());
+                }
             }
+            let state = if self.wait { State::Reached } else { State::Accepted };
+            let degrees = |angle: Option<Angle>| angle.map(Angle::degrees);
+            let own = json!({"roll": degrees(roll), "pitch": degrees(pitch), "yaw": degrees(yaw)});
+            output.outcome("control angle", state, own, state.as_str())?;
             Ok(())
         })
-        .await?;
-        let word = if self.wait { "reached" } else { "accepted" };
-        if output.is_json() {
-            let degrees = |angle: Option<Angle>| angle.map(Angle::degrees);
-            output.object(&serde_json::json!({
-                "state": word, "roll": degrees(roll), "pitch": degrees(pitch), "yaw": degrees(yaw),
-            }))?;
-        } else {
-            output.line(word)?;
-        }
-        Ok(())
+        .await
     }
 }

@@ -5,15 +5,13 @@ mod motors;
 
 use clap::Subcommand;
 
-use crate::args::Global;
 use crate::failure::Failure;
+use crate::options::Global;
 use crate::output::Output;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Move the gimbal
     Control(control::Control),
-    /// Switch the motors
     Motors(motors::Motors),
 }
 

@@ -4,14 +4,12 @@ mod params;
 
 use clap::Subcommand;
 
-use crate::args::Global;
 use crate::failure::Failure;
+use crate::options::Global;
 use crate::output::Output;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Read parameters
-    #[command(after_help = params::EXAMPLES)]
     Params(params::Params),
 }
 

@@ -5,18 +5,20 @@ use sbgc_proto::commands::ProfileId;
 use sbgc_proto::reflect::{self, Leaf};
 use serde_json::{Map, Value, json};
 
-use crate::args::Global;
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::fields;
+use crate::options::Global;
 use crate::output::Output;
 
-pub(super) const EXAMPLES: &str = "Examples:
+const EXAMPLES: &str = "Examples:
   sbgc params get
   sbgc params get motors.pitch rc_memory
   sbgc params get --profile 2 --json";
 
+/// Read parameters
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Params {
     #[command(subcommand)]
     what: What,

@@ -12,16 +12,20 @@ use sbgc_proto::reflect::Leaf;
 use serde_json::json;
 
 use crate::failure::Failure;
-use crate::fields;
 use crate::output::Output;
+use crate::{fields, values};
 
-pub(super) const EXAMPLES: &str = "Examples:
-  sbgc decode capture.bin
-  sbgc decode --json --direction incoming < capture.bin
-  echo 3E 56 00 56 00 | sbgc decode
-  sbgc decode --from log serial_debug.txt";
+const EXAMPLES: &str = "Examples:
+  sbgc encode BOARD_INFO | sbgc decode
+  sbgc encode CONFIRM cmd_id=1 --direction incoming | sbgc decode --json
+  sbgc decode capture.bin";
 
+/// Explain captured traffic
+///
+/// Shows each frame with all its fields, and each run of bytes that are no frame with the cause. What comes through a
+/// pipe is shown as it comes. Answers that only their request explains are read with what was seen before.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Decode {
     /// The capture; standard input when left out, or for `-`
     file: Option<PathBuf>,
@@ -35,7 +39,7 @@ pub(crate) struct Decode {
     direction: Way,
 
     /// Flags of CMD_REALTIME_DATA_CUSTOM, where the capture has no request for it
-    #[arg(long, value_name = "N", value_parser = flags)]
+    #[arg(long, value_name = "N", value_parser = values::number)]
     custom_flags: Option<u32>,
 }
 
@@ -61,14 +65,6 @@ enum Way {
     Outgoing,
     /// Controller to host
     Incoming,
-}
-
-fn flags(text: &str) -> Result<u32, String> {
-    let number = match text.strip_prefix("0x") {
-        Some(digits) => u32::from_str_radix(digits, 16),
-        None => text.parse(),
-    };
-    number.map_err(|error| format!("{error}; a number of 32 bits is wanted, hex ones after 0x"))
 }
 
 impl Decode {

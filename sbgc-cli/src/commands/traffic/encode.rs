@@ -6,16 +6,18 @@ use sbgc_proto::reflect::{AssignError, Input, MessageInfo};
 use sbgc_proto::{IncomingCommand, OutgoingCommand};
 use serde_json::json;
 
-use crate::args::{Global, Protocol};
 use crate::failure::Failure;
+use crate::options::{Global, Protocol};
 use crate::output::Output;
 
-pub(super) const EXAMPLES: &str = "Examples:
+const EXAMPLES: &str = "Examples:
   sbgc encode BOARD_INFO
   sbgc encode READ_PARAMS profile_id=1
   sbgc encode MOTORS_OFF mode=1 --protocol 1";
 
+/// Build a frame from a command name and field values
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct Encode {
     /// The spec's name of the command, with or without CMD_
     name: String,
@@ -45,7 +47,7 @@ enum Way {
 fn assignment(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((path, value)) => Ok((path.trim().to_owned(), value.trim().to_owned())),
-        None => Err(format!("{text:?} is no FIELD=VALUE")),
+        None => Err(format!("expected FIELD=VALUE, got {text:?}")),
     }
 }
 

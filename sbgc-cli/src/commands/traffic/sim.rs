@@ -11,17 +11,21 @@ use sbgc_host::sim::{self, Board, Config};
 use serde_json::json;
 use tokio::net::TcpListener;
 
-use crate::failure::Failure;
+use crate::failure::{Failure, until_stopped};
 use crate::output::Output;
 use crate::signals::stopped;
 
 type Serving = Pin<Box<dyn Future<Output = io::Result<()>>>>;
 
-pub(super) const EXAMPLES: &str = "Examples:
-  sbgc sim --pty --link /tmp/gimbal     then: sbgc --port /tmp/gimbal info
-  sbgc sim --tcp 127.0.0.1:4001         then: sbgc --port tcp://127.0.0.1:4001 info";
+const EXAMPLES: &str = "Examples:
+  sbgc sim --pty --link /tmp/gimbal
+  sbgc sim --tcp 127.0.0.1:4001";
 
+/// Serve a simulated board
+///
+/// Prints the port on the first line, then runs until stopped.
 #[derive(Args, Debug)]
+#[command(after_help = EXAMPLES)]
 #[command(group = ArgGroup::new("place").required(true).args(["pty", "tcp"]))]
 pub(crate) struct Sim {
     /// Serve on a pseudo-terminal
@@ -32,13 +36,13 @@ pub(crate) struct Sim {
     #[arg(long, requires = "pty", value_name = "PATH")]
     link: Option<PathBuf>,
 
-    /// Serve on this address, such as 127.0.0.1:4001; with port 0 on any free one
+    /// Serve on this address, e.g. 127.0.0.1:4001; port 0 picks a free port
     #[arg(long, value_name = "HOST:PORT", value_parser = host_and_port)]
     tcp: Option<String>,
 }
 
 fn host_and_port(text: &str) -> Result<String, String> {
-    let wanted = || String::from("HOST:PORT is wanted, such as 127.0.0.1:4001");
+    let wanted = || String::from("expected HOST:PORT, e.g. 127.0.0.1:4001");
     let (host, port) = text.rsplit_once(':').ok_or_else(wanted)?;
     if host.is_empty() || port.parse::<u16>().is_err() {
         return Err(wanted());
@@ -67,7 +71,7 @@ impl Sim {
         tokio::select! {
             served = serving => served.map_err(failed)?,
             // Whatever ends the program, the link to the terminal goes with it.
-            () = stopped() => {}
+            signal = stopped() => return until_stopped(Err(Failure::Signal(signal))),
         }
         Ok(())
     }

@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use bytes::Bytes;
+use sbgc_proto::commands::{FailureCode, FsErrorCode};
 use sbgc_proto::units::FirmwareVersion;
-use sbgc_proto::{DecodeError, EncodeError};
+use sbgc_proto::{CommandId, DecodeError, Direction, EncodeError};
 
 /// [`std::result::Result`] with this crate's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -125,6 +126,50 @@ pub enum Error {
     /// Something else on this connection moves the gimbal: a control session or a calibration.
     #[error("the gimbal is controlled by another session or calibration on this connection; end that first")]
     ControlInUse,
+    /// A value that is not a multiple of what it has to be.
+    #[error("{what}: {value} is not a multiple of {step}")]
+    Misaligned {
+        /// What the value is, such as "EEPROM address".
+        what: &'static str,
+        /// The value.
+        value: usize,
+        /// What it has to be a multiple of.
+        step: usize,
+    },
+    /// A file that cannot be written: an empty one, which would be deleted, or one that is too long.
+    #[error(
+        "file of {size} bytes cannot be written; expected 1 to {maximum} bytes (an empty write deletes a file)"
+    )]
+    FileSize {
+        /// Its size in bytes.
+        size: usize,
+        /// Size of the longest file.
+        maximum: usize,
+    },
+    /// There is no script in the slot.
+    #[error("script slot {slot} is empty; upload a script first")]
+    EmptySlot {
+        /// The slot, counted from 1.
+        slot: u8,
+    },
+    /// The board sent another number of bytes than requested.
+    #[error("{what}: expected {expected} bytes, got {got}")]
+    WrongLength {
+        /// What was read.
+        what: &'static str,
+        /// Bytes that were requested.
+        expected: usize,
+        /// Bytes that came.
+        got: usize,
+    },
+    /// What was written was read back and is different.
+    #[error("{what}: the board has other data at {at} than was written; write it again or restore a backup")]
+    NotVerified {
+        /// What was written.
+        what: &'static str,
+        /// Address or offset of the difference.
+        at: u32,
+    },
     /// There is no such port.
     #[error("there is no port {name}; {}", PortList(.available))]
     NoSuchPort {
@@ -163,6 +208,28 @@ pub enum Error {
         /// The feature of this crate that is missing.
         feature: &'static str,
     },
+}
+
+impl Error {
+    /// The error of the file system, where a command on files or on the EEPROM was refused.
+    ///
+    /// ```
+    /// use sbgc_host::Error;
+    /// use sbgc_host::proto::commands::FsErrorCode;
+    ///
+    /// let (command, name, data) = ("CMD_READ_FILE", Some("ERR_FILE_NOT_FOUND"), Default::default());
+    /// let error = Error::Refused { command, code: 2, name, data };
+    /// assert_eq!(error.file_error(), Some(FsErrorCode::FileNotFound));
+    /// ```
+    pub fn file_error(&self) -> Option<FsErrorCode> {
+        let Error::Refused { command, code, .. } = self else { return None };
+        let named = |id: &CommandId| id.spec_name(Direction::Outgoing) == Some(command);
+        let id = (1..=u8::MAX).map(CommandId::from_raw).find(named)?;
+        match FailureCode::of(id, *code) {
+            FailureCode::Files(code) => Some(code),
+            _ => None,
+        }
+    }
 }
 
 /// A time as people say it.

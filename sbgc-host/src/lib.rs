@@ -83,6 +83,7 @@ pub mod gimbal;
 pub mod link;
 #[cfg(feature = "sim")]
 pub mod sim;
+pub mod storage;
 pub mod streams;
 pub mod transport;
 

@@ -5,6 +5,7 @@
 //! this module and use nothing but it.
 
 mod answer;
+mod checked;
 mod handshake;
 mod motion;
 mod options;

@@ -1,0 +1,23 @@
+//! What a board stores: files, scripts, the EEPROM as plain memory, the user's data; and devices on its I2C buses.
+//!
+//! Everything here is a method of [`Gimbal`](crate::Gimbal). Whatever is longer than a message goes in portions;
+//! whatever is written is read back and compared. A portion whose confirmation was lost is looked at before it is
+//! written again.
+
+mod eeprom;
+mod files;
+mod i2c;
+mod scripts;
+mod user_data;
+
+pub use eeprom::EEPROM_PAGE;
+pub use files::MAX_FILE;
+pub use scripts::SCRIPT_SLOTS;
+
+/// The longest portion: the most whole pages of 64 bytes that fit every message.
+const PORTION: usize = 192;
+
+/// Receives how many bytes of how many are done.
+pub trait Progress: FnMut(usize, usize) {}
+
+impl<F: FnMut(usize, usize)> Progress for F {}

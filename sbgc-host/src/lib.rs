@@ -81,6 +81,8 @@ pub mod control;
 mod error;
 pub mod gimbal;
 pub mod link;
+#[cfg(feature = "params")]
+pub mod params;
 #[cfg(feature = "sim")]
 pub mod sim;
 pub mod storage;

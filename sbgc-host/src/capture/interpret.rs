@@ -217,7 +217,7 @@ impl<F> Default for Requests<F> {
 }
 
 /// The direction whose narrowest form the length fits.
-fn likely_direction(id: CommandId, length: usize) -> Direction {
+pub(super) fn likely_direction(id: CommandId, length: usize) -> Direction {
     let narrowest = |all: &'static [MessageInfo]| {
         let forms = all.iter().filter(|info| info.id == id);
         // A form that the length does not fit is better than none.

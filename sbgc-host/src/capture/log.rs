@@ -4,6 +4,8 @@
 //! host sends. Traffic of other ports, which the board forwards, is `<MCU time> port<index>.<direction>: …`; there `in`
 //! means to the board.
 
+use std::time::Duration;
+
 use nom::branch::alt;
 use nom::bytes::complete::{tag, take_till, take_until};
 use nom::character::complete::{digit1, hex_digit0, space0, u8 as number};
@@ -11,10 +13,17 @@ use nom::combinator::{all_consuming, opt, value};
 use nom::sequence::{delimited, preceded, separated_pair, terminated};
 use nom::{IResult, Parser};
 use sbgc_proto::Direction;
+use sbgc_proto::frame::Version;
+
+use super::time;
 
 /// One message of a log.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct LogLine {
+    /// The time, counted from whatever the log counts from.
+    pub(crate) time: Option<Duration>,
+    /// The version of the framing, which only our own recordings have.
+    pub(crate) version: Option<Version>,
     pub(crate) direction: Option<Direction>,
     pub(crate) id: u8,
     /// The length that the line states; the payload may be cut short.
@@ -33,9 +42,15 @@ pub(crate) fn parse(line: &str) -> Option<LogLine> {
     }
     let payload =
         pairs.iter().filter_map(|pair| u8::from_str_radix(str::from_utf8(pair).ok()?, 16).ok()).collect();
-    let word = head.trim_end().strip_suffix(':')?.rsplit(char::is_whitespace).next()?;
-    let (_, direction) = all_consuming(direction).parse(word).ok()?;
-    Some(LogLine { direction, id, length: usize::from(length), payload })
+    let mut words = head.trim_end().strip_suffix(':')?.rsplit(char::is_whitespace);
+    let (_, direction) = all_consuming(direction).parse(words.next()?).ok()?;
+    let version = match head.split_whitespace().nth_back(1) {
+        Some("v1") => Some(Version::V1),
+        Some("v2") => Some(Version::V2),
+        _ => None,
+    };
+    let time = head.split_whitespace().next().and_then(time::parse);
+    Some(LogLine { time, version, direction, id, length: usize::from(length), payload })
 }
 
 fn message(input: &str) -> IResult<&str, (u8, u8, String)> {
@@ -80,13 +95,29 @@ mod tests {
         let own = parse("12:34:56.789 out: [82,1] 01\r").unwrap();
         assert_eq!(
             own,
-            LogLine { direction: Some(Direction::Outgoing), id: 82, length: 1, payload: vec![1] }
+            LogLine {
+                time: Some(Duration::from_millis(45_296_789)),
+                version: None,
+                direction: Some(Direction::Outgoing),
+                id: 82,
+                length: 1,
+                payload: vec![1]
+            }
         );
         let forwarded = parse("123456 port2.in: [86,0] ").unwrap();
         assert_eq!(
             forwarded,
-            LogLine { direction: Some(Direction::Outgoing), id: 86, length: 0, payload: vec![] }
+            LogLine {
+                time: Some(Duration::from_millis(123_456)),
+                version: None,
+                direction: Some(Direction::Outgoing),
+                id: 86,
+                length: 0,
+                payload: vec![]
+            }
         );
+        let recorded = parse("2026-11-21T18:22:16.000001Z v1 in: [67,2] 5dff").unwrap();
+        assert_eq!((recorded.version, recorded.direction), (Some(Version::V1), Some(Direction::Incoming)));
         assert_eq!(parse("123456 port2.out: [67,2] 5D FF").unwrap().direction, Some(Direction::Incoming));
         assert_eq!(parse("12:34 strange: [67,2] 5DFF").unwrap().direction, None);
     }

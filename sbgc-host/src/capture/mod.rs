@@ -3,12 +3,20 @@
 //! [`Reader`] turns bytes, hex dumps and log lines into [`Item`]s: frames and what was skipped between them.
 //! [`Interpreter`] gives each frame its meaning; it remembers the requests it has seen, because some answers can be
 //! read only with the request in mind. Neither knows ports or time.
+//!
+//! [`tap`] copies the frames that pass a port and [`Recorder`] writes them; [`Replay`] sends the outgoing ones again.
 
 mod hex;
 mod interpret;
 mod log;
 mod reader;
+mod record;
+mod replay;
+mod time;
 
 pub use hex::HexError;
+use interpret::likely_direction;
 pub use interpret::{Interpreted, Interpreter, Meaning};
 pub use reader::{Format, Item, ReadError, Reader};
+pub use record::{Frames, Passed, Recorder, Tap, tap};
+pub use replay::{Replay, Step};

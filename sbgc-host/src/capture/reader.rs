@@ -1,5 +1,7 @@
 //! Captures of any format to frames.
 
+use std::time::Duration;
+
 use sbgc_proto::Direction;
 use sbgc_proto::frame::{Cause, Decoder, Event, Skipped, Version, Versions};
 use thiserror::Error;
@@ -28,7 +30,9 @@ pub enum Item {
     Frame {
         /// Offset of its first byte; in a log the number of the line, from 1 on.
         at: u64,
-        /// Version of its framing; a log does not say.
+        /// When it passed, where a log says; counted from whatever the log counts from.
+        time: Option<Duration>,
+        /// Version of its framing; the logs of others do not say.
         version: Option<Version>,
         /// Which way it went, where the capture says.
         direction: Option<Direction>,
@@ -165,8 +169,10 @@ impl Reader {
         let text = String::from_utf8_lossy(&self.line);
         let text = text.trim();
         match log::parse(text).filter(|_| whole) {
-            Some(LogLine { direction, id, length, payload }) if payload.len() == length && id != 0 => {
-                item(Item::Frame { at, version: None, direction, id, payload });
+            Some(LogLine { time, version, direction, id, length, payload })
+                if payload.len() == length && id != 0 =>
+            {
+                item(Item::Frame { at, time, version, direction, id, payload });
             }
             Some(_) => item(Item::Skipped { at, length, cause: Cause::Truncated }),
             None if whole && text.is_empty() => {}
@@ -186,6 +192,7 @@ fn report(run: &mut Option<Skipped>, event: &Event<'_>, item: &mut dyn FnMut(Ite
             flush(run, item);
             item(Item::Frame {
                 at: *at,
+                time: None,
                 version: Some(frame.version),
                 direction: None,
                 id: frame.id,
@@ -287,7 +294,7 @@ mod tests {
     }
 
     fn frame(at: u64, version: Version, id: u8, payload: &[u8]) -> Item {
-        Item::Frame { at, version: Some(version), direction: None, id, payload: payload.to_vec() }
+        Item::Frame { at, time: None, version: Some(version), direction: None, id, payload: payload.to_vec() }
     }
 
     #[test]

@@ -144,7 +144,7 @@ impl Explainer<'_> {
             Item::Skipped { at, length, cause } => {
                 self.output.line(format_args!("{at}: skipped {length} bytes: {cause}"))
             }
-            Item::Frame { at, version, direction, id, payload } => {
+            Item::Frame { at, version, direction, id, payload, .. } => {
                 let direction = self.direction.or(direction);
                 self.print_frame(at, version, direction, id, &payload)
             }

@@ -79,16 +79,12 @@ pub enum Error {
     #[error("the link is closed; connect again")]
     Closed,
     /// The same stream is running at another rate.
-    #[error(
-        "{command}: this stream already runs at {running_ms} ms, so it cannot also run at {asked_ms} ms; ask for {running_ms} ms or end the other one"
-    )]
+    #[error("{command}: this stream already runs at {running_ms} ms; use that interval or end the other one")]
     StreamInUse {
         /// The spec's name of the streamed command.
         command: &'static str,
-        /// The interval at which it runs.
+        /// The interval at which it runs, in milliseconds.
         running_ms: u16,
-        /// The interval that was asked for.
-        asked_ms: u16,
     },
     /// The gimbal did not reach its target in time. It may still be moving.
     #[error(
@@ -176,7 +172,7 @@ pub enum Error {
         /// What was asked for.
         name: String,
         /// The ports that there are.
-        available: Vec<crate::transport::PortInfo>,
+        available: Vec<String>,
     },
     /// The operating system does not let this user open the port.
     #[error("no permission to open {}{}", .path.display(), GroupHint(.group))]
@@ -236,7 +232,7 @@ impl Error {
 struct Rounded(Duration);
 struct NameOf(Option<&'static str>);
 struct DataOf<'a>(&'a Bytes);
-struct PortList<'a>(&'a [crate::transport::PortInfo]);
+struct PortList<'a>(&'a [String]);
 struct GroupHint<'a>(&'a Option<String>);
 
 impl std::fmt::Display for Rounded {
@@ -274,7 +270,7 @@ impl std::fmt::Display for PortList<'_> {
         let Some((first, rest)) = self.0.split_first() else {
             return f.write_str("no serial port was found; check that the board is plugged in and powered");
         };
-        write!(f, "there {} {first}", if rest.is_empty() { "is" } else { "are" })?;
+        write!(f, "available: {first}")?;
         rest.iter().try_for_each(|port| write!(f, ", {port}"))
     }
 }

@@ -1,11 +1,23 @@
 //! Async driver for SimpleBGC32 boards: requests, data streams and motion over any byte stream.
 //!
 //! ```text
-//!   Gimbal ─┐  clones of one handle             serial port, TCP, anything
-//!   Gimbal ─┼─► channel ─► the task ◄──────────► AsyncRead + AsyncWrite
-//!   Gimbal ─┘             │  owns the port; knows who waits for what, how long,
-//!                         │  and how much the board can take
-//!   Subscription ◄─ queue ┘  bounded, loses its oldest
+//!   Gimbal ─┐  clones of one handle            serial port, TCP, anything
+//!   Gimbal ─┼─► the machine ◄─► the task ◄───► AsyncRead + AsyncWrite
+//!   Gimbal ─┘     │  knows who waits for what, how long, and how much the board can take;
+//!                 │  the task moves bytes and time between it and the port
+//!   Subscription ◄┘  a bounded queue, drops its oldest
+//! ```
+//!
+//! Modules use only those above them:
+//!
+//! ```text
+//!   error · transport      what can go wrong; addresses and ports
+//!   machine                the rules of the driver, without I/O
+//!   task                   moves bytes and time
+//!   gimbal                 the handle
+//!   streams                data streams
+//!   motion                 moves that are waited for
+//!   capture · sim          stand apart: recordings, the simulated board
 //! ```
 //!
 //! - [`Gimbal`] is the handle: typed requests, confirmed commands, set-points, motion that is waited for.
@@ -13,7 +25,7 @@
 //!   gives up leaves nothing behind.
 //! - [`Subscription`] yields what the board sends on its own.
 //! - [`ControlSession`] owns the motion of the gimbal, and stops it however the owner ends.
-//! - [`transport`] opens ports; [`link`] is what the task is made of.
+//! - [`transport`] opens ports; [`machine`] holds the rules of the driver, without I/O.
 //!
 //! ```no_run
 //! use std::time::Duration;
@@ -77,21 +89,24 @@
 
 #[cfg(feature = "capture")]
 pub mod capture;
+mod checked;
 pub mod control;
 mod error;
 pub mod gimbal;
-pub mod link;
+pub mod machine;
+mod motion;
 #[cfg(feature = "params")]
 pub mod params;
 #[cfg(feature = "sim")]
 pub mod sim;
 pub mod storage;
 pub mod streams;
+mod task;
 pub mod transport;
 
 pub use control::{ControlSession, SessionOptions, Setpoint};
 pub use error::{Error, Result};
 pub use gimbal::{Answer, Connection, Gimbal, Options, VersionChoice};
-pub use link::{LinkCounters, LinkState};
+pub use machine::{LinkCounters, LinkState};
 pub use sbgc_proto as proto;
 pub use streams::{Sample, StreamRequest, Subscription, TypedStream};

@@ -2,9 +2,13 @@
 
 mod support;
 
-use sbgc_host::Options;
+use std::pin::Pin;
+use std::task::{Context, Poll, Waker};
+
 use sbgc_host::proto::CommandId;
-use sbgc_host::proto::commands::{Control, ControlMode};
+use sbgc_host::proto::commands::{Control, ControlMode, MotorsOffMode};
+use sbgc_host::proto::wire::PerAxis;
+use sbgc_host::{Error, Options};
 use support::*;
 use tokio::io::AsyncReadExt;
 use tokio::time::Instant;
@@ -19,6 +23,10 @@ async fn arrivals(board: &mut Board, total: usize) -> Vec<(u64, usize)> {
         arrivals.push((since(start), count));
     }
     arrivals
+}
+
+fn futures_poll<F: Future>(future: Pin<&mut F>) -> Poll<F::Output> {
+    future.poll(&mut Context::from_waker(Waker::noop()))
 }
 
 #[tokio::test(start_paused = true)]
@@ -121,4 +129,81 @@ async fn two_sides_that_both_write_first_do_not_block_each_other() {
     tokio::time::timeout(MS(60_000), async { tokio::join!(writes, board_side) }).await.expect("no deadlock");
     assert_eq!(gimbal.counters().received.frames, 50);
     drop(angles);
+}
+
+#[tokio::test(start_paused = true)]
+async fn what_stops_motion_overtakes_everything_and_the_end_of_the_link() {
+    let (gimbal, mut board) = gimbal();
+    gimbal.send_raw(CommandId::BeepSound, vec![0; 240].into()).await.unwrap();
+    board.expect(89).await;
+    for _ in 0..20 {
+        gimbal.send_raw(CommandId::BeepSound, vec![0; 94].into()).await.unwrap();
+    }
+    let mut reads: Vec<_> = (0..200).map(|_| Box::pin(gimbal.angles())).collect();
+    for read in &mut reads {
+        assert!(futures_poll(read.as_mut()).is_pending());
+    }
+    gimbal.control(&Control::default()).unwrap();
+    // The set-point is not sent after the command that stops.
+    gimbal
+        .send_now(&Control {
+            control_mode: PerAxis { roll: ControlMode(1), ..PerAxis::default() },
+            ..Control::default()
+        })
+        .unwrap();
+    let start = Instant::now();
+    let off = gimbal.motors_off(MotorsOffMode::Brake);
+    let (off, ()) = tokio::join!(off, async {
+        assert_eq!(board.expect(67).await.payload[0], 1);
+        board.expect(109).await;
+        board.confirm(109).await;
+    });
+    off.unwrap();
+    assert_eq!(since(start), 8);
+    drop(reads);
+    drop(gimbal);
+    for _ in 0..20 {
+        board.expect(89).await;
+    }
+    assert!(board.try_next().await.is_none());
+}
+
+#[tokio::test(start_paused = true)]
+async fn what_stops_motion_goes_out_when_the_last_handle_is_dropped() {
+    struct Session(sbgc_host::Gimbal);
+
+    impl Drop for Session {
+        fn drop(&mut self) {
+            self.0.send_now(&Control::default()).unwrap();
+        }
+    }
+
+    let (gimbal, mut board) = gimbal();
+    drop(Session(gimbal));
+    board.expect(67).await;
+    assert!(board.try_next().await.is_none());
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_port_that_takes_nothing_holds_up_nobody() {
+    let (gimbal, mut board) = gimbal_with(8, Options::default());
+    let start = Instant::now();
+    let (first, second, third, sent) =
+        tokio::join!(gimbal.board_info(), gimbal.motors_on(), gimbal.angles(), async {
+            loop {
+                if let Err(error) = gimbal.send_raw(CommandId::BeepSound, vec![0; 94].into()).await {
+                    return error;
+                }
+            }
+        });
+    assert!(matches!(first, Err(Error::Timeout { after, .. }) if after == MS(1500)));
+    assert!(matches!(second, Err(Error::Timeout { after, .. }) if after == MS(500)));
+    assert!(matches!(third, Err(Error::Timeout { after, .. }) if after == MS(1500)));
+    assert!(matches!(sent, Error::Timeout { attempts: 0, .. }));
+    assert_eq!(since(start), 1500);
+    // What nobody waits for any more does not go out later.
+    board.expect(BOARD_INFO).await;
+    // Of which the port had taken the beginning.
+    board.expect(MOTORS_ON).await;
+    board.expect(89).await;
 }

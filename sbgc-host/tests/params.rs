@@ -237,7 +237,7 @@ async fn stubborn(mut board: support::Board) {
         match CommandId::from_raw(frame.id) {
             CommandId::ReadParams3 => board.send(frame.id, &block).await,
             CommandId::WriteParams3 => {
-                block = frame.payload.to_vec();
+                block = frame.payload;
                 block[GYRO_TRUST] = block[GYRO_TRUST].max(100);
                 board.confirm(frame.id).await;
             }

@@ -202,8 +202,8 @@ async fn the_end_in_the_middle_of_a_frame_fails_everything_at_once() {
     });
     assert!(matches!(info, Err(Error::Disconnected)));
     angles.unwrap();
-    // The second request is sent with the next batch.
-    assert_eq!(since(start), 8);
+    // Both requests were in one batch.
+    assert_eq!(since(start), 0);
     assert_eq!(*state.borrow_and_update(), LinkState::Lost);
     assert!(matches!(gimbal.motors_on().await, Err(Error::Disconnected)));
     assert!(matches!(gimbal.control(&Control::default()), Err(Error::Disconnected)));
@@ -230,10 +230,43 @@ async fn version_1_is_tried_when_version_2_is_not_answered() {
         for version in [Version::V2, Version::V2, Version::V1] {
             assert_eq!(board.expect(BOARD_INFO).await.version, version);
         }
-        board.send(BOARD_INFO, &board_info(2600)).await;
+        board.send_in(Version::V1, BOARD_INFO, &board_info(2600)).await;
     });
     info.unwrap();
     assert_eq!(gimbal.version(), Version::V1);
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_version_of_a_late_answer_decides() {
+    for millis in [460, 700, 1100] {
+        let (gimbal, mut board) = gimbal();
+        let (info, ()) = tokio::join!(gimbal.handshake(), async {
+            board.expect(BOARD_INFO).await;
+            tokio::time::sleep(MS(millis)).await;
+            board.send(BOARD_INFO, &board_info(2700)).await;
+        });
+        info.unwrap();
+        assert_eq!(gimbal.version(), Version::V2, "after {millis} ms");
+    }
+}
+
+#[tokio::test(start_paused = true)]
+async fn newer_firmware_that_was_heard_in_version_1_is_asked_again_in_version_2() {
+    for answers in [true, false] {
+        let (gimbal, mut board) = gimbal();
+        let (info, ()) = tokio::join!(gimbal.handshake(), async {
+            for _ in 0..3 {
+                board.expect(BOARD_INFO).await;
+            }
+            board.send_in(Version::V1, BOARD_INFO, &board_info(2700)).await;
+            assert_eq!(board.expect(BOARD_INFO).await.version, Version::V2);
+            if answers {
+                board.send(BOARD_INFO, &board_info(2700)).await;
+            }
+        });
+        info.unwrap();
+        assert_eq!(gimbal.version(), if answers { Version::V2 } else { Version::V1 });
+    }
 }
 
 #[tokio::test(start_paused = true)]

@@ -14,7 +14,7 @@ impl Claim {
     /// # Errors
     /// If somebody else has it.
     pub(crate) fn take(gimbal: &Gimbal) -> Result<Self> {
-        if gimbal.shared.motion_owned.swap(true, Ordering::AcqRel) {
+        if gimbal.link().motion_owned.swap(true, Ordering::AcqRel) {
             return Err(Error::ControlInUse);
         }
         Ok(Self(gimbal.clone()))
@@ -23,6 +23,6 @@ impl Claim {
 
 impl Drop for Claim {
     fn drop(&mut self) {
-        self.0.shared.motion_owned.store(false, Ordering::Release);
+        self.0.link().motion_owned.store(false, Ordering::Release);
     }
 }

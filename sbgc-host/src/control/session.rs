@@ -16,7 +16,7 @@ use tokio::time::{Instant, MissedTickBehavior};
 
 use super::Claim;
 use super::setpoint::{Command, Setpoint, adapted};
-use crate::gimbal::Arrival;
+use crate::motion::Arrival;
 use crate::{Error, Gimbal, Result};
 
 /// The first firmware with a time-out of control.
@@ -386,12 +386,12 @@ impl Ending {
     fn send_now(&self, inner: &Inner) {
         let gimbal = &inner.gimbal;
         // The link may be gone; then the board's time-out stops the gimbal.
-        let _ = self.stop.as_ref().map(|control| gimbal.set(control));
-        let _ = self.quaternion.as_ref().map(|control| gimbal.set(control));
+        let _ = self.stop.as_ref().map(|control| gimbal.send_now(control));
+        let _ = self.quaternion.as_ref().map(|control| gimbal.send_now(control));
         if inner.firmware >= TIMEOUT_SINCE {
-            let _ = gimbal.set(&ControlConfig::default());
+            let _ = gimbal.send_now(&ControlConfig::default());
         }
-        let _ = self.give_back.as_ref().map(|control| gimbal.try_send(control));
+        let _ = self.give_back.as_ref().map(|control| gimbal.send_now(control));
     }
 }
 

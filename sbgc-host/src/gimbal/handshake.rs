@@ -1,55 +1,44 @@
 //! Finding out whether there is a board, and which version it speaks.
 
-use std::time::Duration;
-
-use sbgc_proto::commands::BoardInfo;
+use sbgc_proto::commands::{BoardInfo, BoardInfoRequest};
 use sbgc_proto::frame::Version;
-use tokio::time::Instant;
+use sbgc_proto::units::FirmwareVersion;
+use sbgc_proto::{CommandId, Message};
 
-use super::{Gimbal, VersionChoice};
-use crate::{Error, Result};
+use super::{Gimbal, VersionChoice, encode};
+use crate::error::Result;
 
-/// How long an answer in version 2 may take. A board that knows it answers within two of its cycles, so this is for
-/// the line and whatever is between.
-const PATIENCE: Duration = Duration::from_millis(200);
-
-/// How often version 2 is tried: a byte lost once must not cost the better checksum for the whole session.
-const TRIES: u32 = 2;
+/// The first firmware that knows version 2.
+const KNOWS_VERSION_2: FirmwareVersion = FirmwareVersion::new(2, 68, 0);
 
 impl Gimbal {
     /// Asks the board what it is and settles on a version.
     ///
-    /// A board that has seen version 2 once takes nothing else until it restarts, and one whose firmware is older than
-    /// 2.68b0 does not know it. So version 2 is tried first, in a hurry, then both in turn, beginning with version 1: on
-    /// a line that loses much, silence in one says little. What was answered is kept.
+    /// With [`VersionChoice::Auto`] version 2 is tried first with a short timeout, then both versions alternate, as often
+    /// as a read is sent. The version of the answer decides, however late it comes: whatever a board has once been asked
+    /// in, it answers in. Firmware that knows version 2 and was heard in version 1 is asked once more in version 2.
+    ///
+    /// # Errors
+    /// If no board answers.
     pub async fn handshake(&self) -> Result<BoardInfo> {
         let VersionChoice::Auto = self.options.version else {
             return self.board_info().await;
         };
-        let began = Instant::now();
-        let hurried = self.with_timeout(PATIENCE.min(self.options.timeout)).with_attempts(TRIES);
-        let mut outcome = hurried.board_info_in(Version::V2).await;
-        let mut sent = 0;
-        for version in [Version::V1, Version::V2].into_iter().cycle().take(self.tries()) {
-            let Err(Error::Timeout { attempts, .. }) = outcome else { return outcome };
-            sent += attempts;
-            outcome = self.with_attempts(1).board_info_in(version).await;
+        let (id, payload) = (CommandId::BoardInfo, encode(&BoardInfoRequest {})?);
+        let mut call = self.make_call(id, payload, id, self.options.attempts.max(1))?;
+        call.probe = true;
+        let answer = self.ask_for(id, call).await?;
+        let info = BoardInfo::decode(&answer)?;
+        if self.version() == Version::V1 && info.firmware_ver >= KNOWS_VERSION_2 {
+            self.set_version(Version::V2);
+            if self.with_attempts(1).board_info().await.is_err() {
+                self.set_version(Version::V1);
+            }
         }
-        if let Err(Error::Timeout { after, attempts, .. }) = &mut outcome {
-            // The next try is as likely to meet a board that knows both.
-            self.shared.set_version(Version::V2);
-            *attempts += sent;
-            *after = began.elapsed();
-        }
-        outcome
+        Ok(info)
     }
 
-    fn tries(&self) -> usize {
-        usize::try_from(self.options.attempts.max(1)).unwrap_or(usize::MAX)
-    }
-
-    async fn board_info_in(&self, version: Version) -> Result<BoardInfo> {
-        self.shared.set_version(version);
-        self.board_info().await
+    fn set_version(&self, version: Version) {
+        self.link().call(|machine, _| machine.set_version(version));
     }
 }

@@ -1,13 +1,11 @@
 //! The handle to a board.
 //!
-//! Here live [`Gimbal`], what it can be asked in general, and how it is set up. Motion that is waited for is in
-//! `motion`, data streams are in [`streams`](crate::streams); whole parameter sets, calibrations and files stand above
+//! Here live [`Gimbal`], what it can be asked in general, and how it is set up. Data streams are in
+//! [`streams`](crate::streams); whole parameter sets, calibrations and files stand above
 //! this module and use nothing but it.
 
 mod answer;
-mod checked;
 mod handshake;
-mod motion;
 mod options;
 
 use std::future::Future;
@@ -27,22 +25,16 @@ use sbgc_proto::frame::{MAX_PAYLOAD, Version};
 use sbgc_proto::wire::{FromWire, ToWire};
 use sbgc_proto::{CommandId, Direction, EncodeError, Message, Request};
 use tokio::io::{AsyncRead, AsyncWrite};
-use tokio::sync::{mpsc, oneshot, watch};
-use tokio::time::Instant;
+use tokio::sync::{oneshot, watch};
+use tokio::time::timeout;
 
 pub use answer::Answer;
-pub(crate) use motion::Arrival;
-use options::LONGEST;
+pub(crate) use options::LONGEST;
 pub use options::{Options, VersionChoice};
 
-use crate::link::session::{Call, Failure, Key};
-use crate::link::shared::{Command, Shared};
-use crate::link::task::Task;
-use crate::link::{LinkCounters, LinkState};
-use crate::{Error, Result};
-
-/// How many commands may wait for the task.
-const CHANNEL: usize = 32;
+use crate::error::{Error, Result};
+use crate::machine::{Call, Failure, Key, LinkCounters, LinkState, Machine, Priority};
+use crate::task::{Link, Task};
 
 /// A board at the other end of a link.
 ///
@@ -51,9 +43,22 @@ const CHANNEL: usize = 32;
 /// after it was sent is carried out all the same; its answer is put aside.
 #[derive(Clone, Debug)]
 pub struct Gimbal {
-    pub(crate) shared: Arc<Shared>,
-    pub(crate) commands: mpsc::Sender<Command>,
-    pub(crate) options: Options,
+    handle: Arc<Handle>,
+    options: Options,
+}
+
+/// What all clones have in common. The link is closed when it is dropped.
+#[derive(Debug)]
+struct Handle {
+    link: Arc<Link>,
+    /// Whose turn it is to hand over a command, once as many wait as may.
+    turn: tokio::sync::Mutex<()>,
+}
+
+impl Drop for Handle {
+    fn drop(&mut self) {
+        self.link.call(Machine::close);
+    }
 }
 
 /// The task that owns the port, to be spawned. It is done when the port is.
@@ -88,11 +93,10 @@ impl Gimbal {
     where
         Io: AsyncRead + AsyncWrite + Unpin + Send + 'static,
     {
-        let shared = Arc::new(Shared::new(options.version.first()));
-        let (commands, receiver) = mpsc::channel(CHANNEL);
-        let gap = options.gap.min(LONGEST);
-        let task = Task::new(Arc::clone(&shared), receiver, options.baud, gap, Instant::now());
-        (Self { shared, commands, options }, Connection(Box::pin(task.run(io))))
+        let link = Arc::new(Link::new(options.setup()));
+        let task = Task::new(Arc::clone(&link));
+        let handle = Arc::new(Handle { link, turn: tokio::sync::Mutex::default() });
+        (Self { handle, options }, Connection(Box::pin(task.run(io))))
     }
 
     /// The same with the task already spawned on the present tokio runtime.
@@ -133,25 +137,24 @@ impl Gimbal {
 
     /// The version in which frames go out at present.
     pub fn version(&self) -> Version {
-        self.shared.version()
+        self.link().look(Machine::version)
     }
 
     /// What passed the link so far.
     pub fn counters(&self) -> LinkCounters {
-        self.shared.counters()
+        self.link().look(Machine::counters)
     }
 
     /// Whether the port is there, for all that wait for a change of it.
     pub fn link_state(&self) -> watch::Receiver<LinkState> {
-        self.shared.state.subscribe()
+        self.link().state.subscribe()
     }
 
     /// Sends what is still to be sent, ends data streams, and gives the port back. All handles are closed by it.
     pub async fn close(self) {
         let mut state = self.link_state();
-        if self.commands.send(Command::Close).await.is_ok() {
-            let _ = state.wait_for(|state| *state != LinkState::Open).await;
-        }
+        self.link().call(Machine::close);
+        let _ = state.wait_for(|state| *state != LinkState::Open).await;
     }
 
     /// Asks for something and waits for the answer.
@@ -193,9 +196,12 @@ impl Gimbal {
     /// Sends payload bytes as a command and waits for a frame with the id `answer`; see [`request`](Self::request).
     pub async fn request_raw(&self, command: CommandId, payload: Bytes, answer: CommandId) -> Result<Bytes> {
         let attempts = if only_reads(command, answer) { self.options.attempts.max(1) } else { 1 };
-        let call = self.make_call(command, payload, answer, attempts)?;
+        self.ask_for(command, self.make_call(command, payload, answer, attempts)?).await
+    }
+
+    async fn ask_for(&self, command: CommandId, call: Call) -> Result<Bytes> {
         let (reply, outcome) = oneshot::channel();
-        self.commands.send(Command::Call(call, reply)).await.map_err(|_| self.gone())?;
+        self.link().call(|machine, now| machine.request(now, call, reply));
         let outcome = outcome.await.map_err(|_| self.gone())?;
         outcome.map_err(|failure| explain(command, failure))
     }
@@ -203,31 +209,51 @@ impl Gimbal {
     /// Sends payload bytes as a command; see [`send`](Self::send).
     pub async fn send_raw(&self, command: CommandId, payload: Bytes) -> Result<()> {
         self.check(command, &payload)?;
-        self.commands.send(Command::Send(command.raw(), payload)).await.map_err(|_| self.gone())
+        let began = tokio::time::Instant::now();
+        let room = async {
+            let _turn = self.handle.turn.lock().await;
+            loop {
+                let mut freed = std::pin::pin!(self.link().room.notified());
+                freed.as_mut().enable();
+                let sent = self.link().call(|machine, now| {
+                    machine.has_room().then(|| machine.send(now, command.raw(), payload.clone()))
+                });
+                match sent {
+                    Some(outcome) => return outcome.map_err(|failure| explain(command, failure)),
+                    None => freed.await,
+                }
+            }
+        };
+        timeout(self.options.timeout.min(LONGEST), room).await.unwrap_or_else(|_| {
+            Err(explain(command, Failure::Timeout { after: began.elapsed(), attempts: 0 }))
+        })
     }
 
-    /// Hands a command to the link without waiting, behind everything that waits to be sent.
+    /// Sends a command before everything else that waits, and returns at once.
+    ///
+    /// For commands that stop motion. It needs no runtime, so that it can be called when something is dropped.
+    /// A set-point of the same command that was not sent yet is not sent any more, and the command goes out even if the
+    /// last handle is dropped right after.
     ///
     /// # Errors
-    /// If the link is gone or its queue is full.
-    pub(crate) fn try_send<M: Message + ToWire>(&self, command: &M) -> Result<()> {
+    /// If the message cannot be encoded, or the link has ended.
+    pub fn send_now<M: Message + ToWire>(&self, command: &M) -> Result<()> {
         let payload = encode(command)?;
         self.check(M::ID, &payload)?;
-        self.commands.try_send(Command::Send(M::ID.raw(), payload)).map_err(|_| self.gone())
+        let sent = self.link().call(|machine, now| machine.send_now(now, M::ID.raw(), payload));
+        sent.map_err(|failure| explain(M::ID, failure))
     }
 
     /// Sends a command that says where to go or how fast, and returns at once.
     ///
-    /// If one with the same id waits to be sent, this one takes its place: a stale set-point is worse than none. That
-    /// suits all of `CMD_CONTROL` and its kin, `CMD_SERVO_OUT`, `CMD_API_VIRT_CH_CONTROL`, `CMD_HELPER_DATA`.
+    /// If one with the same id waits to be sent, or the port has not begun to take it, this one takes its place: a stale
+    /// set-point is worse than none. Set-points overtake requests and commands that wait. That suits all of
+    /// `CMD_CONTROL` and its kin, `CMD_SERVO_OUT`, `CMD_API_VIRT_CH_CONTROL`, `CMD_HELPER_DATA`.
     pub fn set<M: Message + ToWire>(&self, command: &M) -> Result<()> {
         let payload = encode(command)?;
         self.check(M::ID, &payload)?;
-        if self.commands.is_closed() {
-            return Err(self.gone());
-        }
-        self.shared.put_setpoint(M::ID.raw(), payload);
-        Ok(())
+        let set = self.link().call(|machine, now| machine.set(now, M::ID.raw(), payload));
+        set.map_err(|failure| explain(M::ID, failure))
     }
 
     /// Moves the gimbal; the newest command replaces those that were not yet sent. Returns at once.
@@ -278,7 +304,7 @@ impl Gimbal {
         self.confirm(&ExecuteMenu { cmd_id: command }).await.map(drop)
     }
 
-    pub(crate) fn make_call(
+    fn make_call(
         &self,
         command: CommandId,
         payload: Bytes,
@@ -287,8 +313,9 @@ impl Gimbal {
     ) -> Result<Call> {
         self.check(command, &payload)?;
         let key = Key::of_request(command.raw(), &payload, answer.raw());
-        let timeout = self.options.timeout.min(LONGEST);
-        Ok(Call { command: command.raw(), payload, key, timeout, attempts })
+        let priority = Priority::of(command.raw(), &payload);
+        let timeout = self.options.timeout;
+        Ok(Call { command: command.raw(), payload, key, timeout, attempts, priority, probe: false })
     }
 
     fn check(&self, command: CommandId, payload: &Bytes) -> Result<()> {
@@ -302,9 +329,13 @@ impl Gimbal {
         Ok(())
     }
 
+    pub(crate) fn link(&self) -> &Arc<Link> {
+        &self.handle.link
+    }
+
     /// Why the task does not answer.
     pub(crate) fn gone(&self) -> Error {
-        let state = *self.shared.state.borrow();
+        let state = self.link().look(Machine::state);
         if state == LinkState::Lost { Error::Disconnected } else { Error::Closed }
     }
 }
@@ -343,5 +374,6 @@ pub(crate) fn explain(command: CommandId, failure: Failure) -> Error {
         }
         Failure::Disconnected => Error::Disconnected,
         Failure::Closed => Error::Closed,
+        Failure::StreamInUse { running_ms } => Error::StreamInUse { command: name, running_ms },
     }
 }

@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use sbgc_proto::frame::Version;
 
+use crate::machine::Setup;
+
 /// Nobody waits longer than this, thirty years; clocks have an end, too.
 pub(crate) const LONGEST: Duration = Duration::from_hours(30 * 365 * 24);
 
@@ -39,7 +41,8 @@ impl VersionChoice {
 pub struct Options {
     /// In which version frames go out.
     pub version: VersionChoice,
-    /// How long an answer may take, from when its request is sent.
+    /// How long one attempt of a request may take. A request ends after the time of all its attempts, counted from the
+    /// call.
     pub timeout: Duration,
     /// How often a read is sent before it has failed. Whatever changes something is sent once.
     pub attempts: u32,
@@ -59,6 +62,18 @@ impl Default for Options {
             attempts: 3,
             baud: None,
             gap: Duration::from_millis(100),
+        }
+    }
+}
+
+impl Options {
+    pub(crate) fn setup(&self) -> Setup {
+        Setup {
+            version: self.version.first(),
+            baud: self.baud,
+            gap: self.gap,
+            timeout: self.timeout,
+            attempts: self.attempts,
         }
     }
 }

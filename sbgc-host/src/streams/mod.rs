@@ -4,32 +4,35 @@
 //! the last subscriber leaves. Each subscriber has a queue of its own that loses its oldest samples when it is full;
 //! a slow one disturbs nobody.
 //!
-//! What a sample means is for its message to say; what keeps the registrations is in [`link`](crate::link).
+//! What a sample means is for its message to say; what keeps the registrations is in [`machine`](crate::machine).
 
-pub(crate) mod queue;
 mod typed;
 
 use std::pin::Pin;
 use std::sync::Arc;
 use std::task::{Context, Poll};
 
-use bytes::Bytes;
 use futures_core::Stream;
 use sbgc_proto::CommandId;
-use sbgc_proto::commands::{DataStreamInterval, StreamConfig, StreamSource};
-use sbgc_proto::units::StreamInterval;
+use sbgc_proto::commands::StreamSource;
 use tokio::sync::oneshot;
 
-pub use queue::Sample;
+pub use crate::machine::{Payload, Sample};
 pub use typed::{Item, TypedStream};
 
-use crate::gimbal::{encode, explain, name_of};
-use crate::link::shared::{Command, StreamCall, StreamFailure};
-use crate::{Error, Gimbal, Result};
-use queue::Queue;
+use crate::error::Result;
+use crate::gimbal::{Gimbal, explain};
+use crate::machine::StreamCall;
+use crate::machine::queue::Queue;
 
-/// How many samples a queue holds unless asked otherwise.
-const CAPACITY: usize = 64;
+/// How many samples a queue holds for those who listen: more than a second of anything that a board sends.
+const CAPACITY: usize = 2048;
+
+/// How many samples a queue holds at least.
+const MIN_CAPACITY: usize = 64;
+
+/// How many samples a board sends in a second at the shortest interval.
+const FASTEST: usize = 1250;
 
 /// A message that the board is to send again and again.
 ///
@@ -56,8 +59,12 @@ pub struct StreamRequest {
 
 impl StreamRequest {
     /// A message without configuration.
+    ///
+    /// The queue holds what comes in a second.
     pub const fn new(command: CommandId, interval_ms: u16) -> Self {
-        Self { command, interval_ms, config: [0; 8], length: None, capacity: CAPACITY }
+        let interval = if interval_ms == 0 { 1 } else { interval_ms as usize };
+        let capacity = MIN_CAPACITY + FASTEST / interval;
+        Self { command, interval_ms, config: [0; 8], length: None, capacity }
     }
 
     /// What `source` describes, with its configuration and length.
@@ -71,15 +78,14 @@ impl StreamRequest {
         Self { config: source.config().0.0, length, ..Self::new(source.cmd_id(), interval_ms) }
     }
 
-    /// The registration of the stream; with interval 0 its end.
-    fn registration(&self, interval_ms: u16) -> Result<Bytes> {
-        let message = DataStreamInterval {
-            cmd_id: self.command,
-            interval_ms: StreamInterval(interval_ms),
-            config: StreamConfig(self.config.into()),
-            ..DataStreamInterval::default()
-        };
-        encode(&message)
+    fn call(&self) -> StreamCall {
+        StreamCall {
+            command: self.command.raw(),
+            interval_ms: self.interval_ms.max(1),
+            config: self.config,
+            length: self.length,
+            capacity: self.capacity,
+        }
     }
 }
 
@@ -88,7 +94,8 @@ impl StreamRequest {
 /// Dropping it unsubscribes.
 #[derive(Debug)]
 pub struct Subscription {
-    queue: Option<Arc<Queue>>,
+    queue: Arc<Queue>,
+    number: u64,
     gimbal: Gimbal,
 }
 
@@ -109,7 +116,7 @@ impl Subscription {
     }
 
     fn poll_sample(&self, context: &mut Context<'_>) -> Poll<Option<Sample>> {
-        self.queue.as_ref().map_or(Poll::Ready(None), |queue| queue.poll(context))
+        self.queue.poll(context)
     }
 }
 
@@ -123,12 +130,7 @@ impl Stream for Subscription {
 
 impl Drop for Subscription {
     fn drop(&mut self) {
-        if let Some(queue) = self.queue.take() {
-            self.gimbal.shared.remove_listener(&queue);
-            // The task looks for registrations without users, so the last one must be gone before it is called.
-            drop(queue);
-            self.gimbal.shared.bell.notify_one();
-        }
+        self.gimbal.link().call(|machine, _| machine.leave(self.number));
     }
 }
 
@@ -138,28 +140,13 @@ impl Gimbal {
     /// Returns when the board has confirmed it. An equal request that runs already is shared; the same stream at
     /// another interval is refused, for it would change that of the others.
     pub async fn subscribe(&self, request: StreamRequest) -> Result<Subscription> {
-        let interval_ms = request.interval_ms.max(1);
-        let command = CommandId::DataStreamInterval;
-        // Asking twice for a stream updates it, so this write may be repeated.
-        let attempts = self.options.attempts.max(1);
-        let start =
-            self.make_call(command, request.registration(interval_ms)?, CommandId::CONFIRM, attempts)?;
-        let subscription = self.attach(request.command, request.length, request.capacity);
-        let user = subscription.queue.as_ref().map(Arc::downgrade).unwrap_or_default();
         let (reply, outcome) = oneshot::channel();
-        let wanted = StreamCall { start, stop: request.registration(0)?, user, reply };
-        self.commands.send(Command::Stream(wanted)).await.map_err(|_| self.gone())?;
+        let (number, queue) = self.link().call(|machine, now| machine.subscribe(now, request.call(), reply));
+        // From here on, whoever gives up unsubscribes.
+        let subscription = Subscription { queue, number, gimbal: self.clone() };
         match outcome.await.map_err(|_| self.gone())? {
-            Ok(()) => Ok(subscription),
-            Err(StreamFailure::Failed(failure)) => Err(explain(command, failure)),
-            Err(StreamFailure::Running(payload)) => Err(Error::StreamInUse {
-                command: name_of(request.command),
-                running_ms: payload
-                    .get(1..3)
-                    .and_then(|bytes| bytes.first_chunk())
-                    .map_or(0, |&bytes| u16::from_le_bytes(bytes)),
-                asked_ms: interval_ms,
-            }),
+            Ok(_) => Ok(subscription),
+            Err(failure) => Err(explain(request.command, failure)),
         }
     }
 
@@ -167,12 +154,7 @@ impl Gimbal {
     ///
     /// Nothing is sent to the board.
     pub fn listen(&self, command: CommandId) -> Subscription {
-        self.attach(command, None, CAPACITY)
-    }
-
-    fn attach(&self, command: CommandId, length: Option<usize>, capacity: usize) -> Subscription {
-        let queue = Arc::new(Queue::new(command.raw(), length, capacity));
-        self.shared.add_listener(Arc::clone(&queue));
-        Subscription { queue: Some(queue), gimbal: self.clone() }
+        let (number, queue) = self.link().call(|machine, _| machine.listen(command.raw(), None, CAPACITY));
+        Subscription { queue, number, gimbal: self.clone() }
     }
 }

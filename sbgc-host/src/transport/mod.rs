@@ -1,7 +1,7 @@
 //! Ways to a board: serial ports and TCP.
 //!
 //! Here live addresses, what ports there are, and how they are opened. What goes over them is the business of
-//! [`link`](crate::link), which takes any `AsyncRead + AsyncWrite`.
+//! [`Gimbal`](crate::Gimbal), which takes any `AsyncRead + AsyncWrite`.
 
 mod address;
 mod ports;

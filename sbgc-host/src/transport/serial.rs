@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serialport::{ClearBuffer, ErrorKind, SerialPort as _};
 use tokio_serial::{SerialPortBuilderExt, SerialStream};
 
-use super::{Line, Parity, ports};
+use super::{Line, Parity, PortInfo, ports};
 use crate::{Error, Result};
 
 /// Opens a serial port for this program alone, by its path (`/dev/ttyUSB0`) or its name (`ttyUSB0`, `COM3`).
@@ -39,6 +39,10 @@ fn path_of(name: &str) -> PathBuf {
     if bare { Path::new("/dev").join(path) } else { path }
 }
 
+fn names(ports: &[PortInfo]) -> Vec<String> {
+    ports.iter().map(ToString::to_string).collect()
+}
+
 fn explain(name: &str, path: PathBuf, error: &serialport::Error) -> Error {
     match error.kind() {
         ErrorKind::Io(io::ErrorKind::PermissionDenied) => {
@@ -51,7 +55,7 @@ fn explain(name: &str, path: PathBuf, error: &serialport::Error) -> Error {
                 Ok(target) => format!("{name} (a link to {}, which is gone)", target.display()),
                 Err(_) => name.into(),
             };
-            Error::NoSuchPort { name, available: ports() }
+            Error::NoSuchPort { name, available: names(&ports()) }
         }
         // The library says so of a port that is locked and, on Windows, of one that is not there.
         ErrorKind::NoDevice => {
@@ -59,7 +63,7 @@ fn explain(name: &str, path: PathBuf, error: &serialport::Error) -> Error {
             if path.exists() || available.iter().any(|port| port.name.eq_ignore_ascii_case(name)) {
                 Error::PortBusy { path }
             } else {
-                Error::NoSuchPort { name: name.into(), available }
+                Error::NoSuchPort { name: name.into(), available: names(&available) }
             }
         }
         ErrorKind::Io(_) | ErrorKind::InvalidInput | ErrorKind::Unknown => {

@@ -1,11 +1,10 @@
 //! A board that does what a test says, at the other end of a pipe in the same runtime.
 #![allow(dead_code, unreachable_pub, reason = "no test uses all of it, and each is a crate of its own")]
 
+use std::collections::VecDeque;
 use std::time::Duration;
 
-use bytes::BytesMut;
-use sbgc_host::link::codec::{Codec, Frame, Item};
-use sbgc_host::proto::frame::{self, Version};
+use sbgc_host::proto::frame::{self, Decoder, Event, Version, Versions};
 use sbgc_host::{Gimbal, Options};
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream, duplex};
 use tokio::time::Instant;
@@ -19,16 +18,24 @@ pub const REALTIME_4: u8 = 25;
 
 pub const MS: fn(u64) -> Duration = Duration::from_millis;
 
+/// A frame that the driver sent.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Frame {
+    pub version: Version,
+    pub id: u8,
+    pub payload: Vec<u8>,
+}
+
 pub struct Board {
     pub io: DuplexStream,
-    codec: Codec,
-    input: BytesMut,
+    decoder: Decoder,
+    frames: VecDeque<Frame>,
 }
 
 /// A gimbal over a pipe that holds so many bytes each way, and the board at its end.
 pub fn gimbal_with(capacity: usize, options: Options) -> (Gimbal, Board) {
     let (near, far) = duplex(capacity);
-    let board = Board { io: far, codec: Codec::default(), input: BytesMut::new() };
+    let board = Board { io: far, decoder: Decoder::new(Versions::Both), frames: VecDeque::new() };
     (Gimbal::spawn(near, options), board)
 }
 
@@ -39,14 +46,20 @@ pub fn gimbal() -> (Gimbal, Board) {
 impl Board {
     /// The next frame, `None` when the driver has closed the port.
     pub async fn try_next(&mut self) -> Option<Frame> {
-        loop {
-            match self.codec.take(&mut self.input) {
-                Some(Item::Frame(frame)) => return Some(frame),
-                Some(noise) => panic!("the driver sent {noise:?}"),
-                None if self.io.read_buf(&mut self.input).await.unwrap_or(0) == 0 => return None,
-                None => {}
+        while self.frames.is_empty() {
+            let mut buffer = [0; 4096];
+            let count = self.io.read(&mut buffer).await.unwrap_or(0);
+            if count == 0 {
+                return None;
+            }
+            let mut bytes = &buffer[..count];
+            while let Some(event) = self.decoder.next(&mut bytes) {
+                let Event::Frame { frame, .. } = event else { panic!("the driver sent {event:?}") };
+                let payload = frame.payload.to_vec();
+                self.frames.push_back(Frame { version: frame.version, id: frame.id, payload });
             }
         }
+        self.frames.pop_front()
     }
 
     pub async fn next(&mut self) -> Frame {
@@ -69,6 +82,12 @@ impl Board {
         self.io.write_all(&encoded(id, payload)).await.expect("the driver is there");
     }
 
+    pub async fn send_in(&mut self, version: Version, id: u8, payload: &[u8]) {
+        let mut out = [0; frame::MAX_FRAME];
+        let frame = frame::encode_into(version, id, payload, &mut out).expect("a frame");
+        self.send_bytes(frame).await;
+    }
+
     pub async fn send_bytes(&mut self, bytes: &[u8]) {
         self.io.write_all(bytes).await.expect("the driver is there");
     }
@@ -81,7 +100,7 @@ impl Board {
     pub async fn confirm_stream(&mut self) -> Vec<u8> {
         let request = self.expect(STREAM).await;
         self.confirm(STREAM).await;
-        request.payload.to_vec()
+        request.payload
     }
 }
 

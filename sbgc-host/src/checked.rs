@@ -3,13 +3,14 @@
 use std::future::poll_fn;
 use std::task::Poll;
 
+use bytes::Bytes;
 use sbgc_proto::commands::Confirm;
 use sbgc_proto::wire::ToWire;
 use sbgc_proto::{CommandId, Message};
 
-use super::{Gimbal, encode, explain};
-use crate::Result;
-use crate::link::session::Failure;
+use crate::error::Result;
+use crate::gimbal::{Gimbal, encode, explain};
+use crate::machine::{Failure, Payload};
 use crate::streams::{Sample, Subscription};
 
 impl Gimbal {
@@ -28,17 +29,18 @@ impl Gimbal {
     ///
     /// # Errors
     /// If the board refuses the command, or does not answer the request.
-    pub async fn send_checked_raw(&self, id: CommandId, payload: bytes::Bytes) -> Result<Option<Confirm>> {
+    pub async fn send_checked_raw(&self, id: CommandId, payload: Bytes) -> Result<Option<Confirm>> {
         let mut errors = self.listen(CommandId::Error);
         let mut confirmations = self.listen(CommandId::CONFIRM);
         self.send_raw(id, payload).await?;
         self.board_info().await?;
         while let Some(payload) = next_now(&mut errors).await {
             let (code, data) = match *payload {
-                [code] | [code, _, _, _, _] => (code, payload.slice(1..)),
-                [command, code, ..] if command == id.raw() => (code, payload.slice(2..)),
+                [code] | [code, _, _, _, _] => (code, payload.get(1..)),
+                [command, code, ..] if command == id.raw() => (code, payload.get(2..)),
                 _ => continue,
             };
+            let data = Bytes::copy_from_slice(data.unwrap_or_default());
             return Err(explain(id, Failure::Refused { code, data }));
         }
         while let Some(payload) = next_now(&mut confirmations).await {
@@ -53,7 +55,7 @@ impl Gimbal {
 }
 
 /// The next payload that is already there.
-async fn next_now(samples: &mut Subscription) -> Option<bytes::Bytes> {
+async fn next_now(samples: &mut Subscription) -> Option<Payload> {
     loop {
         let mut next = std::pin::pin!(samples.next());
         let sample = poll_fn(|context| {

@@ -13,10 +13,9 @@ use sbgc_proto::wire::PerAxis;
 use sbgc_proto::{CommandId, Message};
 use tokio::time::{Instant, sleep_until, timeout_at};
 
-use super::Gimbal;
-use super::options::LONGEST;
+use crate::error::{Error, Result};
+use crate::gimbal::{Gimbal, LONGEST};
 use crate::streams::{Sample, Subscription};
-use crate::{Error, Result};
 
 /// How often the angles are requested while the board does not report arrival.
 const POLL: Duration = Duration::from_millis(250);

@@ -8,10 +8,8 @@ use super::*;
 #[derive(Clone, Debug)]
 struct Who(&'static str, Rc<Cell<bool>>);
 
-impl Waiter for Who {
-    fn is_gone(&self) -> bool {
-        self.1.get()
-    }
+fn session() -> Session<Who> {
+    Session::new(|who| who.1.get())
 }
 
 impl PartialEq for Who {
@@ -20,6 +18,7 @@ impl PartialEq for Who {
     }
 }
 
+const START: Duration = Duration::from_secs(1);
 const MS: fn(u64) -> Duration = Duration::from_millis;
 
 fn who(name: &'static str) -> Who {
@@ -33,16 +32,48 @@ fn bytes(payload: &[u8]) -> Bytes {
 /// A read of `command` that is answered under the same id.
 fn read(command: u8, payload: &[u8]) -> Call {
     let key = Key::of_request(command, payload, command);
-    Call { command, payload: bytes(payload), key, timeout: MS(500), attempts: 3 }
+    Call {
+        command,
+        payload: bytes(payload),
+        key,
+        timeout: MS(500),
+        attempts: 3,
+        priority: Priority::Normal,
+        probe: false,
+    }
 }
 
 fn write(command: u8) -> Call {
     let key = Key::confirmation(command);
-    Call { command, payload: Bytes::new(), key, timeout: MS(500), attempts: 1 }
+    Call {
+        command,
+        payload: Bytes::new(),
+        key,
+        timeout: MS(500),
+        attempts: 1,
+        priority: Priority::Normal,
+        probe: false,
+    }
 }
 
-fn sent(session: &mut Session<Who>, now: Instant) -> Vec<u8> {
-    std::iter::from_fn(|| session.next_to_send(now, 255)).map(|outgoing| outgoing.command).collect()
+/// What goes out now; the port takes it at once.
+fn sent(session: &mut Session<Who>, now: Duration) -> Vec<u8> {
+    let mut commands = Vec::new();
+    while let Some(next) = session.next_urgent(now, 255).or_else(|| session.next_to_send(now, 255)) {
+        session.written(now, next.number);
+        commands.push(next.command);
+    }
+    commands
+}
+
+/// Who waited in vain.
+fn expired(session: &mut Session<Who>, now: Duration) -> Option<(Who, Failure)> {
+    loop {
+        let expired = session.on_deadline(now)?;
+        if let Some(waiter) = expired.waiter {
+            return Some((waiter, expired.failure));
+        }
+    }
 }
 
 fn answer(name: &'static str, payload: &[u8]) -> Verdict<Who> {
@@ -51,9 +82,8 @@ fn answer(name: &'static str, payload: &[u8]) -> Verdict<Who> {
 
 #[test]
 fn an_answer_completes_the_request() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     session.request(now, read(86, &[]), who("a"));
-    assert_eq!(session.next_deadline(now), None);
     assert_eq!(sent(&mut session, now), [86]);
     assert_eq!(session.next_deadline(now), Some(now + MS(500)));
     assert_eq!(session.on_frame(now, 20, &bytes(&[1])), Verdict::Unsolicited);
@@ -63,40 +93,142 @@ fn an_answer_completes_the_request() {
 }
 
 #[test]
-fn the_time_counts_from_sending() {
-    let (mut session, now) = (Session::default(), Instant::now());
+fn the_deadline_counts_from_the_call() {
+    let (mut session, now) = (session(), START);
     session.request(now, write(77), who("a"));
-    assert_eq!(sent(&mut session, now + MS(900)), [77]);
-    assert_eq!(session.next_deadline(now), Some(now + MS(1400)));
-    assert_eq!(session.on_deadline(now + MS(1399)), None);
+    assert_eq!(session.next_deadline(now), Some(now + MS(500)));
+    assert_eq!(sent(&mut session, now + MS(400)), [77]);
+    assert_eq!(session.next_deadline(now + MS(400)), Some(now + MS(500)));
+    assert_eq!(expired(&mut session, now + MS(499)), None);
     let failure = Failure::Timeout { after: MS(500), attempts: 1 };
-    assert_eq!(session.on_deadline(now + MS(1400)), Some((who("a"), failure)));
-    assert_eq!(session.on_deadline(now + MS(1400)), None);
+    assert_eq!(expired(&mut session, now + MS(500)), Some((who("a"), failure)));
+    assert_eq!(expired(&mut session, now + MS(500)), None);
+}
+
+#[test]
+fn what_is_never_sent_ends_by_its_deadline_as_well() {
+    let (mut session, start) = (session(), START);
+    session.request(start, read(86, &[]), who("read"));
+    session.request(start + MS(100), write(77), who("write"));
+    let failure = Failure::Timeout { after: MS(500), attempts: 0 };
+    assert_eq!(expired(&mut session, start + MS(599)), None);
+    assert_eq!(expired(&mut session, start + MS(600)), Some((who("write"), failure)));
+    let failure = Failure::Timeout { after: MS(1500), attempts: 0 };
+    assert_eq!(expired(&mut session, start + MS(1500)), Some((who("read"), failure)));
+    assert_eq!((session.queued(), session.next_deadline(start)), (0, None));
+}
+
+#[test]
+fn an_attempt_counts_from_when_the_port_has_taken_it() {
+    let (mut session, start) = (session(), START);
+    session.request(start, read(86, &[]), who("a"));
+    let next = session.next_to_send(start, 255).unwrap();
+    session.written(start + MS(300), next.number);
+    assert_eq!(expired(&mut session, start + MS(799)), None);
+    assert_eq!(sent(&mut session, start + MS(799)), []);
+    assert_eq!(expired(&mut session, start + MS(800)), None);
+    assert_eq!(sent(&mut session, start + MS(800)), [86]);
+}
+
+#[test]
+fn reads_that_wait_behind_a_silent_board_fail_together() {
+    let (mut session, start) = (session(), START);
+    for _ in 0..200 {
+        session.request(start, read(86, &[]), who("read"));
+    }
+    let mut told = 0;
+    for millis in [0, 500, 1000, 1500] {
+        while expired(&mut session, start + MS(millis)).is_some() {
+            told += 1;
+        }
+        sent(&mut session, start + MS(millis));
+    }
+    assert_eq!((told, session.queued()), (200, 0));
+}
+
+#[test]
+fn urgent_commands_overtake_all_that_wait() {
+    let (mut session, now) = (session(), START);
+    for _ in 0..200 {
+        session.request(now, read(86, &[]), who("read"));
+        session.send(now, 89, Bytes::new(), Priority::Normal);
+    }
+    let off = Call { priority: Priority::Urgent, ..write(109) };
+    session.request(now, off.clone(), who("off"));
+    session.send(now, 67, Bytes::new(), Priority::Urgent);
+    assert_eq!(sent(&mut session, now)[..3], [109, 67, 86]);
+    // Nor does one of its own kind hold it back.
+    session.request(now, off, who("again"));
+    assert_eq!(sent(&mut session, now), [109]);
+    assert_eq!(session.on_frame(now, 67, &[109]), answer("off", &[109]));
+    assert_eq!(session.on_frame(now, 67, &[109]), answer("again", &[109]));
+}
+
+#[test]
+fn the_grace_follows_the_latency() {
+    let (mut session, mut now) = (session(), START);
+    session.request(now, read(86, &[]), who("slow"));
+    assert_eq!(sent(&mut session, now), [86]);
+    now += MS(480);
+    assert_eq!(session.on_frame(now, 86, &[1]), answer("slow", &[1]));
+    session.request(now, write(77), who("a"));
+    assert_eq!(sent(&mut session, now), [77]);
+    let sent_at = now;
+    now += MS(500);
+    assert!(expired(&mut session, now).is_some());
+    let patient = Call { timeout: MS(2000), ..write(77) };
+    session.request(now, patient, who("b"));
+    assert_eq!(sent(&mut session, sent_at + MS(959)), []);
+    assert_eq!(session.on_frame(sent_at + MS(959), 67, &[77]), Verdict::Late);
+    assert_eq!(sent(&mut session, sent_at + MS(959)), [77]);
+}
+
+#[test]
+fn an_error_without_a_name_after_a_set_point_fails_nobody() {
+    let (mut session, now) = (session(), START);
+    let number = session.sent_unawaited(now, 67);
+    session.written(now, number);
+    session.request(now, read(86, &[]), who("a"));
+    assert_eq!(sent(&mut session, now), [86]);
+    assert_eq!(session.on_frame(now, 255, &[6, 0, 0, 0, 0]), Verdict::Unawaited);
+    assert_eq!(session.on_frame(now, 86, &[1]), answer("a", &[1]));
+}
+
+#[test]
+fn what_was_taken_back_before_it_was_written_leaves_no_tombstone() {
+    let (mut session, start) = (session(), START);
+    session.request(start, write(77), who("a"));
+    let next = session.next_to_send(start, 255).unwrap();
+    let expired = session.on_deadline(start + MS(500)).unwrap();
+    assert_eq!(expired.number, next.number);
+    session.withdrawn(expired.number);
+    session.request(start + MS(500), write(77), who("b"));
+    assert_eq!(sent(&mut session, start + MS(500)), [77]);
 }
 
 #[test]
 fn reads_repeat_and_writes_do_not() {
-    let (mut session, start) = (Session::default(), Instant::now());
+    let (mut session, start) = (session(), START);
     session.request(start, read(86, &[]), who("read"));
     session.request(start, write(77), who("write"));
     assert_eq!(sent(&mut session, start), [86, 77]);
     let mut now = start + MS(500);
     let failure = Failure::Timeout { after: MS(500), attempts: 1 };
-    assert_eq!(session.on_deadline(now), Some((who("write"), failure)));
-    assert_eq!(session.on_deadline(now), None);
+    assert_eq!(expired(&mut session, now), Some((who("write"), failure)));
+    assert_eq!(expired(&mut session, now), None);
     assert_eq!(sent(&mut session, now), [86]);
     now += MS(500);
-    assert_eq!(session.on_deadline(now), None);
+    assert_eq!(expired(&mut session, now), None);
     assert_eq!(sent(&mut session, now), [86]);
     now += MS(500);
     let failure = Failure::Timeout { after: MS(1500), attempts: 3 };
-    assert_eq!(session.on_deadline(now), Some((who("read"), failure)));
+    assert_eq!(expired(&mut session, now), Some((who("read"), failure)));
     assert_eq!((session.timeouts(), session.repeats()), (2, 2));
 }
 
 #[test]
 fn equal_keys_queue_and_others_overtake() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     for name in ["a", "b"] {
         session.request(now, read(73, &[]), who(name));
     }
@@ -116,11 +248,11 @@ fn equal_keys_queue_and_others_overtake() {
 
 #[test]
 fn a_late_answer_is_swallowed_and_does_not_answer_the_next_request() {
-    let (mut session, start) = (Session::default(), Instant::now());
+    let (mut session, start) = (session(), START);
     session.request(start, write(77), who("a"));
     assert_eq!(sent(&mut session, start), [77]);
     let now = start + MS(500);
-    assert!(session.on_deadline(now).is_some());
+    assert!(expired(&mut session, now).is_some());
     session.request(now, write(77), who("b"));
     assert_eq!(sent(&mut session, now), []);
     let late = now + MS(100);
@@ -130,28 +262,28 @@ fn a_late_answer_is_swallowed_and_does_not_answer_the_next_request() {
 }
 
 #[test]
-fn a_grave_holds_back_no_longer_than_its_grace() {
-    let (mut session, start) = (Session::default(), Instant::now());
+fn a_tombstone_holds_back_no_longer_than_its_grace() {
+    let (mut session, start) = (session(), START);
     session.request(start, write(77), who("a"));
     assert_eq!(sent(&mut session, start), [77]);
     let now = start + MS(500);
-    assert!(session.on_deadline(now).is_some());
+    assert!(expired(&mut session, now).is_some());
     session.request(now, write(77), who("b"));
     session.request(now, write(109), who("c"));
     assert_eq!(sent(&mut session, now), [109]);
     assert_eq!(session.next_deadline(now), Some(now + GRACE));
-    assert_eq!(session.on_deadline(now + GRACE), None);
+    assert_eq!(expired(&mut session, now + GRACE), None);
     assert_eq!(sent(&mut session, now + GRACE), [77]);
 }
 
 #[test]
-fn a_grave_also_holds_back_what_was_queued_long_before() {
-    let (mut session, start) = (Session::default(), Instant::now());
+fn a_tombstone_also_holds_back_what_was_queued_long_before() {
+    let (mut session, start) = (session(), START);
     session.request(start, write(77), who("a"));
-    session.request(start, write(77), who("b"));
+    session.request(start, Call { timeout: MS(2000), ..write(77) }, who("b"));
     assert_eq!(sent(&mut session, start), [77]);
     let now = start + MS(500);
-    assert!(session.on_deadline(now).is_some());
+    assert!(expired(&mut session, now).is_some());
     assert_eq!(sent(&mut session, now), []);
     assert_eq!(session.next_deadline(now), Some(now + GRACE));
     assert_eq!(sent(&mut session, now + GRACE), [77]);
@@ -159,11 +291,11 @@ fn a_grave_also_holds_back_what_was_queued_long_before() {
 
 #[test]
 fn answers_to_repeats_do_not_answer_the_next_request() {
-    let (mut session, start) = (Session::default(), Instant::now());
+    let (mut session, start) = (session(), START);
     session.request(start, read(73, &[]), who("a"));
     assert_eq!(sent(&mut session, start), [73]);
     let now = start + MS(500);
-    assert_eq!(session.on_deadline(now), None);
+    assert_eq!(expired(&mut session, now), None);
     assert_eq!(sent(&mut session, now), [73]);
     assert_eq!(session.on_frame(now, 73, &bytes(&[1])), answer("a", &[1]));
     session.request(now, read(73, &[]), who("b"));
@@ -175,7 +307,7 @@ fn answers_to_repeats_do_not_answer_the_next_request() {
 
 #[test]
 fn a_caller_that_left_before_sending_is_skipped() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     let gone = who("a");
     session.request(now, read(73, &[]), gone.clone());
     gone.1.set(true);
@@ -185,7 +317,7 @@ fn a_caller_that_left_before_sending_is_skipped() {
 
 #[test]
 fn a_caller_that_left_after_sending_still_consumes_its_answer() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     let gone = who("a");
     session.request(now, read(73, &[]), gone.clone());
     assert_eq!(sent(&mut session, now), [73]);
@@ -199,19 +331,19 @@ fn a_caller_that_left_after_sending_still_consumes_its_answer() {
 
 #[test]
 fn a_caller_that_left_is_not_repeated_nor_told() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     let gone = who("a");
     session.request(now, read(73, &[]), gone.clone());
     assert_eq!(sent(&mut session, now), [73]);
     gone.1.set(true);
-    assert_eq!(session.on_deadline(now + MS(500)), None);
+    assert_eq!(expired(&mut session, now + MS(500)), None);
     assert_eq!(sent(&mut session, now + MS(500)), []);
     assert_eq!((session.timeouts(), session.repeats()), (0, 0));
 }
 
 #[test]
 fn an_error_finds_the_command_that_it_names() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     session.request(now, read(86, &[]), who("a"));
     session.request(now, write(77), who("b"));
     assert_eq!(sent(&mut session, now), [86, 77]);
@@ -224,7 +356,7 @@ fn an_error_finds_the_command_that_it_names() {
 
 #[test]
 fn an_error_without_a_name_is_for_the_oldest() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     session.request(now, read(86, &[]), who("a"));
     session.request(now, write(77), who("b"));
     assert_eq!(sent(&mut session, now), [86, 77]);
@@ -237,9 +369,15 @@ fn an_error_without_a_name_is_for_the_oldest() {
 
 #[test]
 fn confirmations_of_unawaited_commands_are_not_taken_for_others() {
-    let (mut session, now) = (Session::default(), Instant::now());
-    session.sent_unawaited(now, 67);
-    session.sent_unawaited(now, 67);
+    let (mut session, now) = (session(), START);
+    {
+        let number = session.sent_unawaited(now, 67);
+        session.written(now, number);
+    }
+    {
+        let number = session.sent_unawaited(now, 67);
+        session.written(now, number);
+    }
     session.request(now, write(67), who("a"));
     assert_eq!(sent(&mut session, now), []);
     assert_eq!(session.on_frame(now, 67, &bytes(&[67])), Verdict::Unawaited);
@@ -250,10 +388,11 @@ fn confirmations_of_unawaited_commands_are_not_taken_for_others() {
 
 #[test]
 fn unawaited_commands_that_go_on_hold_nobody_back_for_ever() {
-    let (mut session, start) = (Session::default(), Instant::now());
+    let (mut session, start) = (session(), START);
     session.request(start, write(67), who("a"));
     for millis in (0..250).step_by(10) {
-        session.sent_unawaited(start + MS(millis), 67);
+        let number = session.sent_unawaited(start + MS(millis), 67);
+        session.written(start + MS(millis), number);
         assert_eq!(sent(&mut session, start + MS(millis)), []);
     }
     assert_eq!(sent(&mut session, start + GRACE), [67]);
@@ -261,7 +400,7 @@ fn unawaited_commands_that_go_on_hold_nobody_back_for_ever() {
 
 #[test]
 fn a_disconnect_releases_everybody() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     session.request(now, read(73, &[]), who("a"));
     session.request(now, read(73, &[]), who("b"));
     assert_eq!(sent(&mut session, now), [73]);
@@ -272,10 +411,10 @@ fn a_disconnect_releases_everybody() {
 
 #[test]
 fn commands_keep_their_order_among_requests() {
-    let (mut session, now) = (Session::default(), Instant::now());
-    session.send(now, 119, bytes(&[1]));
+    let (mut session, now) = (session(), START);
+    session.send(now, 119, bytes(&[1]), Priority::Normal);
     session.request(now, write(22), who("a"));
-    session.send(now, 119, bytes(&[0]));
+    session.send(now, 119, bytes(&[0]), Priority::Normal);
     assert!(session.wants_to_send(now));
     assert_eq!(sent(&mut session, now), [119, 22, 119]);
     assert!(!session.wants_to_send(now));
@@ -284,9 +423,9 @@ fn commands_keep_their_order_among_requests() {
 
 #[test]
 fn what_does_not_fit_is_not_overtaken() {
-    let (mut session, now) = (Session::default(), Instant::now());
-    session.send(now, 1, bytes(&[0; 100]));
-    session.send(now, 2, bytes(&[0; 10]));
+    let (mut session, now) = (session(), START);
+    session.send(now, 1, bytes(&[0; 100]), Priority::Normal);
+    session.send(now, 2, bytes(&[0; 10]), Priority::Normal);
     assert_eq!(session.next_to_send(now, 99), None);
     assert_eq!(session.queued(), 2);
     assert_eq!(sent(&mut session, now), [1, 2]);
@@ -294,11 +433,11 @@ fn what_does_not_fit_is_not_overtaken() {
 
 #[test]
 fn the_end_gives_up_requests_and_keeps_commands() {
-    let (mut session, now) = (Session::default(), Instant::now());
+    let (mut session, now) = (session(), START);
     session.request(now, read(73, &[]), who("a"));
     session.request(now, read(73, &[]), who("b"));
     assert_eq!(session.next_to_send(now, 255).map(|outgoing| outgoing.command), Some(73));
-    session.send(now, 85, bytes(&[]));
+    session.send(now, 85, bytes(&[]), Priority::Normal);
     assert_eq!(session.dismiss(), [who("a"), who("b")]);
     assert_eq!(sent(&mut session, now), [85]);
 }
@@ -314,11 +453,9 @@ mod whatever_happens {
     #[derive(Debug)]
     struct Number(usize);
 
-    impl Waiter for Number {
-        fn is_gone(&self) -> bool {
-            // Some leave at once.
-            self.0 % 7 == 6
-        }
+    /// Some leave at once.
+    fn is_gone(number: &Number) -> bool {
+        number.0 % 7 == 6
     }
 
     #[derive(Clone, Debug)]
@@ -347,7 +484,7 @@ mod whatever_happens {
     proptest! {
         #[test]
         fn everybody_is_told_exactly_once(steps in prop::collection::vec(step(), 0..200)) {
-            let (mut session, mut now) = (Session::<Number>::default(), Instant::now());
+            let (mut session, mut now) = (Session::new(is_gone), START);
             let (mut asked, mut told) = (0, HashSet::new());
             let mut tell = |waiter: Number| assert!(told.insert(waiter.0), "{} is told twice", waiter.0);
             let quiet = std::iter::repeat_n(Step::Wait(400), 4 * 200 * 3);
@@ -356,11 +493,12 @@ mod whatever_happens {
                     Step::Request { command, payload, answer, attempts } => {
                         let payload = bytes(&[payload; 6]);
                         let key = Key::of_request(command, &payload, answer);
-                        let call = Call { command, payload, key, timeout: MS(500), attempts };
+                        let priority = if attempts == 3 { Priority::Urgent } else { Priority::Normal };
+                        let call = Call { command, payload, key, timeout: MS(500), attempts, priority, probe: false };
                         session.request(now, call, Number(asked));
                         asked += 1;
                     }
-                    Step::Send(command) => session.send(now, command, Bytes::new()),
+                    Step::Send(command) => session.send(now, command, Bytes::new(), Priority::Normal),
                     Step::Frame(id, payload) => {
                         if let Verdict::Answer(waiter, _) = session.on_frame(now, id, &bytes(&payload)) {
                             tell(waiter);
@@ -368,10 +506,12 @@ mod whatever_happens {
                     }
                     Step::Wait(millis) => now += MS(millis),
                 }
-                while let Some((waiter, _)) = session.on_deadline(now) {
-                    tell(waiter);
+                while let Some(expired) = session.on_deadline(now) {
+                    expired.waiter.into_iter().for_each(&mut tell);
                 }
-                while session.next_to_send(now, 255).is_some() {}
+                while let Some(next) = session.next_urgent(now, 255).or_else(|| session.next_to_send(now, 255)) {
+                    session.written(now, next.number);
+                }
                 prop_assert!(!session.wants_to_send(now));
                 // Or the task would never sleep.
                 prop_assert!(session.next_deadline(now).is_none_or(|deadline| deadline > now));

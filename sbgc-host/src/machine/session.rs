@@ -1,0 +1,477 @@
+//! Who waits for what, until when: the one table of requests in flight.
+//!
+//! # Rules
+//! - A request ends by its deadline, which counts from the call: however long it waits for its turn or for the port.
+//! - A frame belongs to the oldest command on its way whose [`Key`] it matches. Two requests that one frame could
+//!   answer are not on their way together: the second waits for the first. Others overtake it.
+//! - Only requests that were given several attempts are sent again. Whoever makes a request decides that.
+//! - A request that ended without its answer leaves a tombstone. For a grace period, which follows the latency of the
+//!   link, the tombstone takes the late answer, and holds back requests that the late answer could be taken for.
+//! - [`Urgent`](Priority::Urgent) commands are held back by nothing. Answers that nothing distinguishes are counted
+//!   off in the order in which their commands were sent.
+//!
+//! Two commands whose answers have the same bytes, such as two confirmations of one command, can be told apart only by
+//! that order and by the grace period. If an answer is lost and another takes more than twice the latency measured so
+//! far, the one can be taken for the other.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use bytes::Bytes;
+use sbgc_proto::CommandId;
+use sbgc_proto::frame::Version;
+
+use super::call::{Call, Failure, Priority};
+use super::key::Key;
+
+/// How long an answer may be late, at least.
+pub(super) const GRACE: Duration = Duration::from_millis(250);
+
+/// How long an answer may be late, at most.
+const LONGEST_GRACE: Duration = Duration::from_secs(10);
+
+/// A frame to be sent.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Outgoing {
+    /// Number of the command in this table.
+    pub(super) number: u64,
+    /// Command id.
+    pub(super) command: u8,
+    /// Payload.
+    pub(super) payload: Bytes,
+    /// The version, if it is not the one in use.
+    pub(super) version: Option<Version>,
+}
+
+/// What a frame was.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Verdict<W> {
+    /// The answer to a request, to be handed over.
+    Answer(W, Result<Bytes, Failure>),
+    /// An answer that came too late.
+    Late,
+    /// The answer to a command that was sent without waiting for it.
+    Unawaited,
+    /// None of these.
+    Unsolicited,
+}
+
+/// A request that has waited in vain.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Expired<W> {
+    /// Its number, for it may be on its way to the port.
+    pub(super) number: u64,
+    /// Who waited; `None` if nobody did any more.
+    pub(super) waiter: Option<W>,
+    pub(super) failure: Failure,
+}
+
+#[derive(Debug)]
+struct Queued<W> {
+    number: u64,
+    call: Call,
+    /// `None` for a command whose answer nobody waits for.
+    waiter: Option<W>,
+    called: Duration,
+    deadline: Duration,
+}
+
+/// A command that was handed out to be sent.
+#[derive(Debug)]
+struct Sent<W> {
+    number: u64,
+    call: Call,
+    /// `None` if nobody waits: the entry is a tombstone.
+    waiter: Option<W>,
+    /// Whether anybody ever waited.
+    awaited: bool,
+    called: Duration,
+    deadline: Duration,
+    /// Until when this attempt, or for a tombstone any late answer, may be answered.
+    until: Duration,
+    handed_out: Duration,
+    /// How often it was handed out.
+    times: u32,
+    /// How many answers may still come.
+    answers: u32,
+    /// Whether it waits to be sent again.
+    again: bool,
+    /// Whether the port has taken the last attempt.
+    written: bool,
+}
+
+impl<W> Sent<W> {
+    /// Whether an answer may come that belongs to it.
+    fn expects(&self, now: Duration) -> bool {
+        (self.written || self.times > 1) && (self.waiter.is_some() || now < self.until)
+    }
+}
+
+/// The table. `W` is who waits.
+#[derive(Debug)]
+pub(super) struct Session<W> {
+    queued: VecDeque<Queued<W>>,
+    sent: VecDeque<Sent<W>>,
+    next_number: u64,
+    /// The longest time that answers took of late.
+    latency: Duration,
+    timeouts: u64,
+    repeats: u64,
+    is_gone: fn(&W) -> bool,
+}
+
+impl<W> Session<W> {
+    /// An empty table. `is_gone` tells whether nobody waits any more.
+    pub(super) fn new(is_gone: fn(&W) -> bool) -> Self {
+        Self {
+            queued: VecDeque::new(),
+            sent: VecDeque::new(),
+            next_number: 0,
+            latency: Duration::ZERO,
+            timeouts: 0,
+            repeats: 0,
+            is_gone,
+        }
+    }
+
+    /// How many requests and commands wait to be sent.
+    pub(super) fn queued(&self) -> usize {
+        self.queued.len()
+    }
+
+    /// How many commands wait to be sent that nobody waits for.
+    pub(super) fn queued_unawaited(&self) -> usize {
+        self.queued.iter().filter(|queued| queued.waiter.is_none()).count()
+    }
+
+    /// Whether somebody waits for an answer.
+    pub(super) fn is_waiting(&self) -> bool {
+        self.sent.iter().any(|entry| entry.waiter.is_some())
+            || self.queued.iter().any(|queued| queued.waiter.is_some())
+    }
+
+    /// Whether there is something to send.
+    pub(super) fn wants_to_send(&self, now: Duration) -> bool {
+        self.sent.iter().any(|entry| entry.again) || self.eligible(now).is_some()
+    }
+
+    /// How many requests ended without an answer.
+    pub(super) const fn timeouts(&self) -> u64 {
+        self.timeouts
+    }
+
+    /// How often commands were sent again.
+    pub(super) const fn repeats(&self) -> u64 {
+        self.repeats
+    }
+
+    /// The longest time that answers took of late.
+    pub(super) const fn latency(&self) -> Duration {
+        self.latency
+    }
+
+    /// Takes a request.
+    pub(super) fn request(&mut self, now: Duration, call: Call, waiter: W) {
+        let deadline = now.saturating_add(call.allowed());
+        let number = self.number();
+        self.queued.push_back(Queued { number, call, waiter: Some(waiter), called: now, deadline });
+    }
+
+    /// Takes a command whose answer, if there is one, nobody waits for.
+    pub(super) fn send(&mut self, now: Duration, command: u8, payload: Bytes, priority: Priority) {
+        let number = self.number();
+        let call = unawaited(command, payload, priority);
+        self.queued.push_back(Queued { number, call, waiter: None, called: now, deadline: Duration::MAX });
+    }
+
+    /// A command is sent past this table: its confirmation must not be taken for that of another. Returns its number.
+    pub(super) fn sent_unawaited(&mut self, now: Duration, command: u8) -> u64 {
+        let number = self.number();
+        let call = unawaited(command, Bytes::new(), Priority::Normal);
+        self.hand_out(now, Queued { number, call, waiter: None, called: now, deadline: Duration::MAX });
+        number
+    }
+
+    fn number(&mut self) -> u64 {
+        self.next_number = self.next_number.wrapping_add(1);
+        self.next_number
+    }
+
+    /// The next frame that overtakes everything. `None` if there is none, or if its payload is longer than `room`.
+    pub(super) fn next_urgent(&mut self, now: Duration, room: usize) -> Option<Outgoing> {
+        let is_gone = self.is_gone;
+        self.queued.retain(|queued| !queued.waiter.as_ref().is_some_and(is_gone));
+        let index = self.queued.iter().position(|queued| queued.call.priority == Priority::Urgent)?;
+        self.take(now, index, room)
+    }
+
+    /// The next frame that may be sent. `None` if there is none, if all must wait, or if its payload is longer than
+    /// `room`.
+    pub(super) fn next_to_send(&mut self, now: Duration, room: usize) -> Option<Outgoing> {
+        if let Some(entry) = self.sent.iter_mut().find(|entry| entry.again) {
+            if entry.call.payload.len() > room {
+                return None;
+            }
+            entry.again = false;
+            entry.written = false;
+            entry.times = entry.times.saturating_add(1);
+            entry.answers = entry.answers.saturating_add(1);
+            entry.handed_out = now;
+            entry.until = now.saturating_add(entry.call.patience(entry.times)).min(entry.deadline);
+            self.repeats += 1;
+            let (command, payload) = (entry.call.command, entry.call.payload.clone());
+            let version = entry.call.version(entry.times);
+            return Some(Outgoing { number: entry.number, command, payload, version });
+        }
+        self.prune(now);
+        let index = self.eligible(now)?;
+        self.take(now, index, room)
+    }
+
+    fn take(&mut self, now: Duration, index: usize, room: usize) -> Option<Outgoing> {
+        if self.queued.get(index)?.call.payload.len() > room {
+            return None;
+        }
+        let queued = self.queued.remove(index)?;
+        let (number, command, payload) = (queued.number, queued.call.command, queued.call.payload.clone());
+        let version = queued.call.version(1);
+        self.hand_out(now, queued);
+        Some(Outgoing { number, command, payload, version })
+    }
+
+    fn hand_out(&mut self, now: Duration, queued: Queued<W>) {
+        let Queued { number, call, waiter, called, deadline } = queued;
+        let until = match waiter {
+            Some(_) => now.saturating_add(call.patience(1)).min(deadline),
+            None => now.saturating_add(self.grace()),
+        };
+        self.sent.push_back(Sent {
+            number,
+            call,
+            awaited: waiter.is_some(),
+            waiter,
+            called,
+            deadline,
+            until,
+            handed_out: now,
+            times: 1,
+            answers: 1,
+            again: false,
+            written: false,
+        });
+    }
+
+    /// The port has taken a frame.
+    pub(super) fn written(&mut self, now: Duration, number: u64) {
+        let grace = self.grace();
+        if let Some(entry) = self.sent.iter_mut().find(|entry| entry.number == number) {
+            entry.written = true;
+            entry.handed_out = now;
+            entry.until = match entry.waiter {
+                Some(_) => now.saturating_add(entry.call.patience(entry.times)).min(entry.deadline),
+                None => now.saturating_add(grace),
+            };
+        }
+    }
+
+    /// A frame was taken back before the port took it.
+    pub(super) fn withdrawn(&mut self, number: u64) {
+        if let Some(index) = self.sent.iter().position(|entry| entry.number == number)
+            && let Some(entry) = self.sent.get_mut(index)
+        {
+            entry.answers = entry.answers.saturating_sub(1);
+            if entry.answers == 0 && entry.waiter.is_none() {
+                self.sent.remove(index);
+            }
+        }
+    }
+
+    fn prune(&mut self, now: Duration) {
+        let is_gone = self.is_gone;
+        self.queued.retain(|queued| !queued.waiter.as_ref().is_some_and(is_gone));
+        self.sent.retain(|entry| entry.waiter.is_some() || !entry.written || now < entry.until);
+    }
+
+    /// Place in the queue of the next one that may be sent.
+    fn eligible(&self, now: Duration) -> Option<usize> {
+        let urgent = self.queued.iter().position(|queued| queued.call.priority == Priority::Urgent);
+        urgent.or_else(|| (0..self.queued.len()).find(|&index| self.may_go(now, index)))
+    }
+
+    fn may_go(&self, now: Duration, index: usize) -> bool {
+        let Some(queued) = self.queued.get(index) else { return false };
+        if queued.waiter.is_none() {
+            return true;
+        }
+        let key = &queued.call.key;
+        let first = !self.queued.iter().take(index).any(|earlier| earlier.call.key.overlaps(key));
+        first
+            && (queued.call.priority != Priority::Normal
+                || self.release(now, queued).is_none_or(|release| release <= now))
+    }
+
+    /// Until when commands on their way hold back a request; for ever as long as somebody waits for one of them.
+    fn release(&self, now: Duration, queued: &Queued<W>) -> Option<Duration> {
+        let overlapping = self.sent.iter().filter(|entry| entry.call.key.overlaps(&queued.call.key));
+        overlapping
+            .map(|entry| match (&entry.waiter, entry.awaited) {
+                (Some(_), _) => Duration::MAX,
+                (None, _) if !entry.written => entry.until.max(now.saturating_add(GRACE)),
+                (None, true) => entry.until,
+                // Such commands may go on and on; those that waited make way for this one first.
+                (None, false) => entry.until.min(queued.called.saturating_add(GRACE)),
+            })
+            .max()
+    }
+
+    /// A frame came.
+    pub(super) fn on_frame(&mut self, now: Duration, id: u8, payload: &[u8]) -> Verdict<W> {
+        if id == CommandId::Error.raw() {
+            return self.on_error(now, payload);
+        }
+        let answered =
+            self.sent.iter().position(|entry| entry.expects(now) && entry.call.key.matches(id, payload));
+        match answered {
+            Some(index) => self.answer(now, index, Ok(payload)),
+            None => Verdict::Unsolicited,
+        }
+    }
+
+    /// The board rejected something: the command that it names or, in the form without a name, the oldest.
+    fn on_error(&mut self, now: Duration, payload: &[u8]) -> Verdict<W> {
+        let (command, code, data) = match payload {
+            [] => return Verdict::Unsolicited,
+            [code] | [code, _, _, _, _] => (None, *code, payload.get(1..)),
+            [command, code, ..] => (Some(*command), *code, payload.get(2..)),
+        };
+        let mut candidates = self.sent.iter().enumerate().filter(|(_, entry)| entry.expects(now));
+        // Without a name, it may be the answer to a command that nobody waits for, and then nobody is told.
+        if command.is_none() && candidates.clone().any(|(_, entry)| !entry.awaited) {
+            return Verdict::Unawaited;
+        }
+        let refused =
+            candidates.find(|(_, entry)| command.is_none_or(|command| entry.call.command == command));
+        match refused.map(|(index, _)| index) {
+            Some(index) => {
+                let data = Bytes::copy_from_slice(data.unwrap_or_default());
+                self.answer(now, index, Err(Failure::Refused { code, data }))
+            }
+            None => Verdict::Unsolicited,
+        }
+    }
+
+    fn answer(&mut self, now: Duration, index: usize, outcome: Result<&[u8], Failure>) -> Verdict<W> {
+        let grace = self.grace();
+        let Some(entry) = self.sent.get_mut(index) else { return Verdict::Unsolicited };
+        entry.answers = entry.answers.saturating_sub(1);
+        // Of a command that was sent twice nobody knows which of the two was answered.
+        let took = (entry.times == 1).then(|| now.saturating_sub(entry.handed_out));
+        let awaited = entry.awaited;
+        let waiter = entry.waiter.take();
+        if waiter.is_some() {
+            // A repeat that is not yet sent will not be.
+            if entry.again {
+                entry.again = false;
+            }
+            entry.until = now.saturating_add(GRACE).max(entry.handed_out.saturating_add(grace));
+        }
+        if entry.answers == 0 {
+            self.sent.remove(index);
+        }
+        if let Some(took) = took {
+            self.latency = took.max(self.latency.saturating_sub(self.latency.saturating_sub(took) / 8));
+        }
+        match waiter {
+            Some(waiter) if !(self.is_gone)(&waiter) => {
+                Verdict::Answer(waiter, outcome.map(Bytes::copy_from_slice))
+            }
+            _ if awaited => Verdict::Late,
+            _ => Verdict::Unawaited,
+        }
+    }
+
+    /// How long after it was sent a command may be answered.
+    fn grace(&self) -> Duration {
+        self.latency.saturating_mul(2).clamp(GRACE, LONGEST_GRACE)
+    }
+
+    /// When [`on_deadline`](Self::on_deadline) must be called, or [`next_to_send`](Self::next_to_send) may have
+    /// something new.
+    pub(super) fn next_deadline(&self, now: Duration) -> Option<Duration> {
+        let waiting = self.sent.iter().filter(|entry| entry.waiter.is_some());
+        let answers = waiting.map(|entry| if entry.again { entry.deadline } else { entry.until });
+        let queued = self.queued.iter().filter(|queued| queued.waiter.is_some());
+        let calls = queued.clone().map(|queued| queued.deadline);
+        let releases = queued.filter_map(|queued| self.release(now, queued)).filter(|release| *release > now);
+        answers.chain(calls).chain(releases).min().filter(|deadline| *deadline != Duration::MAX)
+    }
+
+    /// Time has passed. Returns a request that ended without its answer; call it until it returns `None`.
+    pub(super) fn on_deadline(&mut self, now: Duration) -> Option<Expired<W>> {
+        let is_gone = self.is_gone;
+        let late = self.queued.iter().position(|queued| queued.waiter.is_some() && queued.deadline <= now);
+        if let Some(queued) = late.and_then(|index| self.queued.remove(index)) {
+            let after = now.saturating_sub(queued.called);
+            let waiter = queued.waiter.filter(|waiter| !is_gone(waiter));
+            self.timeouts += u64::from(waiter.is_some());
+            return Some(Expired {
+                number: queued.number,
+                waiter,
+                failure: Failure::Timeout { after, attempts: 0 },
+            });
+        }
+        let grace = self.grace();
+        for entry in &mut self.sent {
+            let Some(waiter) = &entry.waiter else { continue };
+            let gone = is_gone(waiter);
+            let over = entry.deadline <= now || (!entry.again && entry.until <= now);
+            // Whoever left need not wait, but then the frame should not go out either.
+            let useless = gone && !entry.written;
+            if !over && !useless {
+                continue;
+            }
+            if !gone && entry.times < entry.call.times() && entry.deadline > now {
+                entry.again = true;
+                continue;
+            }
+            let waiter = entry.waiter.take().filter(|_| !gone);
+            entry.again = false;
+            entry.until = now.saturating_add(GRACE).max(entry.handed_out.saturating_add(grace));
+            self.timeouts += u64::from(waiter.is_some());
+            let after = now.saturating_sub(entry.called);
+            let failure = Failure::Timeout { after, attempts: entry.times };
+            return Some(Expired { number: entry.number, waiter, failure });
+        }
+        None
+    }
+
+    /// The port is gone: nothing is on its way any more and nothing will be sent. Returns who waited.
+    pub(super) fn on_disconnect(&mut self) -> Vec<W> {
+        let waiting = self.dismiss();
+        self.queued.clear();
+        self.sent.clear();
+        waiting
+    }
+
+    /// Gives up all requests, but not the commands that nobody waits for. Returns who waited.
+    pub(super) fn dismiss(&mut self) -> Vec<W> {
+        let mut waiting: Vec<W> = self.sent.iter_mut().filter_map(|entry| entry.waiter.take()).collect();
+        self.sent.iter_mut().for_each(|entry| entry.again = false);
+        for queued in std::mem::take(&mut self.queued) {
+            match queued.waiter {
+                Some(waiter) => waiting.push(waiter),
+                None => self.queued.push_back(queued),
+            }
+        }
+        waiting
+    }
+}
+
+fn unawaited(command: u8, payload: Bytes, priority: Priority) -> Call {
+    let key = Key::confirmation(command);
+    Call { command, payload, key, timeout: Duration::ZERO, attempts: 1, priority, probe: false }
+}
+
+#[cfg(test)]
+#[path = "session_tests.rs"]
+mod tests;

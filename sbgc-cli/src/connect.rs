@@ -1,5 +1,9 @@
 //! From the shared options to a gimbal that responds.
 
+use std::future::poll_fn;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::task::Poll;
+
 use sbgc_host::transport::{self, Address, Line, PortKind, ports};
 use sbgc_host::{Gimbal, Options, VersionChoice};
 use sbgc_proto::commands::BoardInfo;
@@ -39,10 +43,24 @@ pub(crate) async fn with_board_to_the_end<T>(
     let version = gimbal.version().number();
     let (board, firmware) = (info.board_ver.number(), info.firmware_ver);
     tracing::info!("board {board}, firmware {firmware}, protocol version {version}");
-    let outcome = work(gimbal.clone(), info).await;
+    let outcome = caught(work(gimbal.clone(), info)).await;
     let counters = gimbal.clone();
+    // What the work has left to be sent as it was dropped, such as the end of a motion, goes out here.
     gimbal.close().await;
     tracing::info!("{}", counters.counters());
+    outcome.unwrap_or_else(|panic| resume_unwind(panic))
+}
+
+/// Does work; if that panics, drops it and returns the panic, so that there is time to leave the board clean.
+async fn caught<T>(work: impl Future<Output = T>) -> std::thread::Result<T> {
+    let mut work = Box::pin(work);
+    let outcome = poll_fn(|context| match catch_unwind(AssertUnwindSafe(|| work.as_mut().poll(context))) {
+        Ok(Poll::Ready(outcome)) => Poll::Ready(Ok(outcome)),
+        Ok(Poll::Pending) => Poll::Pending,
+        Err(panic) => Poll::Ready(Err(panic)),
+    });
+    let outcome = outcome.await;
+    drop(work);
     outcome
 }
 

@@ -87,7 +87,8 @@ impl Failure {
     /// The name under which programs know it.
     pub(crate) fn kind(&self) -> &'static str {
         match self {
-            Failure::Usage(_) | Failure::Host(Error::BadAddress { .. }) => "usage",
+            Failure::Usage(_) => "usage",
+            Failure::Host(error) if is_usage(error) => "usage",
             Failure::File { .. } => "file",
             Failure::Output(_) => "output",
             Failure::NoBoard(_) | Failure::Host(Error::Timeout { .. }) => "no_answer",
@@ -111,7 +112,8 @@ impl Failure {
     /// The exit code.
     pub(crate) fn code(&self) -> u8 {
         match self {
-            Failure::Usage(_) | Failure::Host(Error::BadAddress { .. }) => 2,
+            Failure::Usage(_) => 2,
+            Failure::Host(error) if is_usage(error) => 2,
             Failure::NoBoard(_) | Failure::Host(Error::Timeout { .. }) => 3,
             Failure::Host(Error::Refused { .. }) => 4,
             Failure::NotConfirmed(_) => 5,
@@ -132,6 +134,17 @@ impl Failure {
             _ => None,
         }
     }
+}
+
+/// Whether an error is about what was typed.
+fn is_usage(error: &Error) -> bool {
+    matches!(
+        error,
+        Error::BadAddress { .. }
+            | Error::OutOfRange { .. }
+            | Error::Misaligned { .. }
+            | Error::FileSize { .. }
+    )
 }
 
 /// For commands that run until they are stopped: being stopped is their usual end.

@@ -102,6 +102,23 @@ impl Output {
         self.line(pairs.join(" "))
     }
 
+    /// Whether nobody can read the output any more: the other end of a pipe is closed.
+    #[cfg(unix)]
+    pub(crate) fn is_abandoned(&self) -> bool {
+        use rustix::event::{PollFd, PollFlags, Timespec, poll};
+
+        let mut waiting = [PollFd::new(self.out.get_ref(), PollFlags::empty())];
+        let now = Timespec { tv_sec: 0, tv_nsec: 0 };
+        let polled = poll(&mut waiting, Some(&now)).is_ok();
+        polled && waiting[0].revents().contains(PollFlags::ERR)
+    }
+
+    /// Whether nobody can read the output any more, which is seen here only when something is printed.
+    #[cfg(not(unix))]
+    pub(crate) fn is_abandoned(&self) -> bool {
+        false
+    }
+
     /// What is printed as it is.
     pub(crate) fn writer(&mut self) -> &mut impl Write {
         &mut self.out

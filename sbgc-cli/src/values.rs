@@ -101,6 +101,11 @@ pub(crate) fn time_text(time: Duration) -> String {
     }
 }
 
+/// A number as it was typed, without the digits that a wider type adds.
+pub(crate) fn plain(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or_else(|_| value.into())
+}
+
 fn time(text: &str, without_unit: f64) -> Result<Duration, String> {
     let expected = || format!("expected a time such as 200ms, 0.5s or 2m, got \"{text}\"");
     let (number, unit) = split(text).ok_or_else(expected)?;

@@ -131,7 +131,7 @@ fn is_there(control: &Control, before: Option<&Angles>, now: &Angles, reported: 
         let Some(now) = now.get(index) else { return false };
         let before = before.as_ref().and_then(|before| before.get(index));
         match mode.kind() {
-            ControlModeKind::Angle | ControlModeKind::AngleShortest => {
+            ControlModeKind::Angle | ControlModeKind::AngleShortest | ControlModeKind::SpeedAngle => {
                 let on_target = |angles: &AxisAngles| is_on_target(mode, wanted, *angles);
                 on_target(now) && (reported || before.is_some_and(on_target))
             }

@@ -5,12 +5,14 @@
 //! the session or by the board.
 //!
 //! Moves without an owner, which the board completes by itself, are
-//! [`Gimbal::move_to`](crate::Gimbal::move_to) and [`Gimbal::confirm`](crate::Gimbal::confirm).
+//! [`Gimbal::hand_over`](crate::Gimbal::hand_over) and [`Gimbal::move_to`](crate::Gimbal::move_to).
 
 mod claim;
+mod hand_over;
 mod session;
 mod setpoint;
 
 pub(crate) use claim::Claim;
+pub use hand_over::stop_commands;
 pub use session::{ControlSession, SessionOptions};
 pub use setpoint::{ExtendedTarget, Setpoint};

@@ -20,7 +20,7 @@ use crate::motion::Arrival;
 use crate::{Error, Gimbal, Result};
 
 /// The first firmware with a time-out of control.
-const TIMEOUT_SINCE: FirmwareVersion = FirmwareVersion::new(2, 61, 0);
+pub(super) const TIMEOUT_SINCE: FirmwareVersion = FirmwareVersion::new(2, 61, 0);
 
 /// The first firmware in which confirmations of control commands can be switched off.
 const NO_CONFIRM_SINCE: FirmwareVersion = FirmwareVersion::new(2, 66, 2);

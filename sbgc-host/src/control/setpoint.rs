@@ -1,15 +1,17 @@
 //! What the gimbal is to do at this moment, checked before it is sent.
 
-use sbgc_proto::OutOfRange;
+use bytes::Bytes;
 use sbgc_proto::commands::{
-    Control, ControlAxis, ControlExt, ControlExtAxis, ControlMode, ControlModeKind, ControlQuat,
+    Angles, Control, ControlAxis, ControlExt, ControlExtAxis, ControlMode, ControlModeKind, ControlQuat,
     ControlQuatFlags,
 };
 use sbgc_proto::units::{
     Angle, CoarseRcSignal, ControlRate, FineControlRate, FineRate, FirmwareVersion, RcSignal,
 };
 use sbgc_proto::wire::{PerAxis, PerXyz};
+use sbgc_proto::{CommandId, Message, OutOfRange};
 
+use crate::gimbal::encode;
 use crate::{Error, Result};
 
 /// Highest angle that can be sent, in degrees.
@@ -160,6 +162,21 @@ impl Setpoint {
         }))
     }
 
+    /// Moves to Euler angles in the mode that follows a path, at a speed toward each angle from where the camera is
+    /// `now`.
+    ///
+    /// # Errors
+    /// If a value cannot be sent.
+    pub fn speed_angle(target: PerAxis<Option<f32>>, speed: f32, now: &Angles) -> Result<Self> {
+        move_speed(speed)?;
+        let now = now.axes.map(|axis| axis.imu_angle.degrees()).into_array();
+        let mut speeds = [None; 3];
+        for ((place, target), now) in speeds.iter_mut().zip(target.into_array()).zip(now) {
+            *place = target.map(|target| speed.copysign(target - now));
+        }
+        Self::path(target, speeds.into())
+    }
+
     /// Takes the place of radio control, with signals from -500 to 500.
     ///
     /// Fine steps are sent to firmware that has them, 2.66b2+.
@@ -261,6 +278,18 @@ impl Setpoint {
 
     fn since(self, what: &'static str, since: FirmwareVersion) -> Self {
         Self { needs: Some((what, since)), ..self }
+    }
+
+    /// The command that carries it to a board with this firmware: id and payload.
+    ///
+    /// # Errors
+    /// If the firmware does not know it.
+    pub fn frame(self, firmware: FirmwareVersion) -> Result<(CommandId, Bytes)> {
+        Ok(match self.for_firmware(firmware)?.command {
+            Command::Axes(control) => (Control::ID, encode(&control)?),
+            Command::Extended(control) => (ControlExt::ID, encode(&control)?),
+            Command::Quaternion(control) => (ControlQuat::ID, encode(&control)?),
+        })
     }
 
     /// The axes that it moves; all of them for a quaternion.

@@ -1,6 +1,7 @@
 //! Motion.
 
 mod control;
+mod menu;
 mod motors;
 
 use clap::Subcommand;
@@ -13,6 +14,7 @@ use crate::output::Output;
 pub(crate) enum Command {
     Control(control::Control),
     Motors(motors::Motors),
+    Menu(menu::Menu),
 }
 
 impl Command {
@@ -20,6 +22,7 @@ impl Command {
         match self {
             Command::Control(command) => command.run(global, output).await,
             Command::Motors(command) => command.run(global, output).await,
+            Command::Menu(command) => command.run(global, output).await,
         }
     }
 }

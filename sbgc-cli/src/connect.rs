@@ -4,7 +4,8 @@ use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::task::Poll;
 
-use sbgc_host::transport::{self, Address, Line, PortKind, ports};
+use sbgc_host::capture::{Frames, tap};
+use sbgc_host::transport::{self, Address, Io, Line, PortKind, ports};
 use sbgc_host::{Gimbal, Options, VersionChoice};
 use sbgc_proto::commands::BoardInfo;
 use sbgc_proto::frame::Version;
@@ -38,7 +39,7 @@ pub(crate) async fn with_board_to_the_end<T>(
     let (gimbal, info) = tokio::select! {
         biased;
         signal = signals::stopped() => return Err(Failure::Signal(signal)),
-        connected = connect(global) => connected?,
+        connected = connect(global, |io| io) => connected?,
     };
     let version = gimbal.version().number();
     let (board, firmware) = (info.board_ver.number(), info.firmware_ver);
@@ -64,7 +65,29 @@ async fn caught<T>(work: impl Future<Output = T>) -> std::thread::Result<T> {
     outcome
 }
 
-async fn connect(global: &Global) -> Result<(Gimbal, BoardInfo), Failure> {
+/// Like [`with_board`], with all frames that pass the port from its opening on.
+pub(crate) async fn with_tapped_board<T>(
+    global: &Global,
+    work: impl AsyncFnOnce(Gimbal, &mut Frames) -> Result<T, Failure>,
+) -> Result<(T, Frames), Failure> {
+    let mut tapped = None;
+    let (gimbal, _) = tokio::select! {
+        biased;
+        signal = signals::stopped() => return Err(Failure::Signal(signal)),
+        connected = connect(global, |io| {
+            let (io, frames) = tap(io);
+            tapped = Some(frames);
+            Box::new(io)
+        }) => connected?,
+    };
+    let Some(mut frames) = tapped else { return Err(sbgc_host::Error::Closed.into()) };
+    let outcome = work(gimbal.clone(), &mut frames).await;
+    gimbal.close().await;
+    Ok((outcome?, frames))
+}
+
+/// Opens the port and makes sure that a board responds. `wrap` may put something between port and driver.
+async fn connect(global: &Global, mut wrap: impl FnMut(Io) -> Io) -> Result<(Gimbal, BoardInfo), Failure> {
     let address = address(global)?;
     let mut failed = None;
     for line in lines(global, &address) {
@@ -79,7 +102,7 @@ async fn connect(global: &Global) -> Result<(Gimbal, BoardInfo), Failure> {
             baud: address.baud(line),
             ..Options::default()
         };
-        let gimbal = Gimbal::spawn(address.open(line).await?, options);
+        let gimbal = Gimbal::spawn(wrap(address.open(line).await?), options);
         let error = match gimbal.handshake().await {
             Ok(info) => return Ok((gimbal, info)),
             Err(error) => error,

@@ -7,7 +7,7 @@
 //! talk · text · values · places · signals · failure  standard error, text, numbers with units, what ends a command
 //! config_file · options                              the common options and where their values come from
 //! output · act · connect                             printing, asking, dry run; a gimbal that responds
-//! fields · table                                     messages as text, JSON and columns
+//! fields · table · sampling · samples               messages as text, JSON and columns; data streams
 //! commands                                           one file each, in folders by group
 //! cli · main                                         the command line as a whole
 //! ```
@@ -24,6 +24,8 @@ mod fields;
 mod options;
 mod output;
 mod places;
+mod samples;
+mod sampling;
 mod signals;
 mod table;
 mod talk;

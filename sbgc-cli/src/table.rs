@@ -1,6 +1,6 @@
 //! Messages of one kind as lines under each other.
 
-use sbgc_proto::reflect::{self, Describe, Leaf, Raw};
+use sbgc_proto::reflect::{Leaf, Raw};
 
 use crate::fields;
 
@@ -17,26 +17,24 @@ pub(crate) struct Cell {
 }
 
 impl Cell {
-    /// The fields of `message` in their order.
-    pub(crate) fn of<M: Describe>(message: &M) -> Vec<Cell> {
-        let mut cells = Vec::new();
-        reflect::walk(message, &mut |leaf: &Leaf<'_>| {
-            if leaf.field.reserved {
-                return;
-            }
-            let path = leaf.path.to_string();
-            let (group, name) = match path.rfind(['.', '[']).and_then(|at| path.split_at_checked(at)) {
-                Some((group, name)) => (group.to_owned(), name.trim_start_matches('.').to_owned()),
-                None => (String::new(), path),
-            };
-            let value = match leaf.raw {
-                Raw::Number(_) if leaf.label().is_none() => fields::number_text(leaf),
-                _ => fields::label_text(leaf).replace(' ', ""),
-            };
-            let unit = if matches!(leaf.raw, Raw::Number(_)) { leaf.unit() } else { "" };
-            cells.push(Cell { group, name, unit, value });
-        });
-        cells
+    /// One field.
+    pub(crate) fn of_leaf(leaf: &Leaf<'_>) -> Cell {
+        let path = leaf.path.to_string();
+        let (group, name) = match path.rfind(['.', '[']).and_then(|at| path.split_at_checked(at)) {
+            Some((group, name)) => (group.to_owned(), name.trim_start_matches('.').to_owned()),
+            None => (String::new(), path),
+        };
+        let value = match leaf.raw {
+            Raw::Number(_) if leaf.label().is_none() => fields::number_text(leaf),
+            _ => fields::label_text(leaf).replace(' ', ""),
+        };
+        let unit = if matches!(leaf.raw, Raw::Number(_)) { leaf.unit() } else { "" };
+        Cell { group, name, unit, value }
+    }
+
+    /// A time in milliseconds.
+    pub(crate) fn time(name: &str, milliseconds: u64) -> Cell {
+        Cell { group: String::new(), name: name.to_owned(), unit: "ms", value: milliseconds.to_string() }
     }
 }
 

@@ -86,7 +86,7 @@ impl Replay {
 fn distance(last: Duration, time: Duration) -> Duration {
     match time.checked_sub(last) {
         Some(distance) => distance,
-        None if last - time > HALF_A_DAY => (time + 2 * HALF_A_DAY).saturating_sub(last),
+        None if last.saturating_sub(time) > HALF_A_DAY => (time + 2 * HALF_A_DAY).saturating_sub(last),
         None => Duration::ZERO,
     }
 }

@@ -1,6 +1,8 @@
 //! Looking at the board.
 
 mod angles;
+mod debug_vars;
+mod events;
 mod info;
 mod stream;
 
@@ -15,6 +17,8 @@ pub(crate) enum Command {
     Info(info::Info),
     Angles(angles::Angles),
     Stream(stream::Stream),
+    Events(events::Events),
+    DebugVars(debug_vars::DebugVars),
 }
 
 impl Command {
@@ -23,6 +27,8 @@ impl Command {
             Command::Info(command) => command.run(global, output).await,
             Command::Angles(command) => command.run(global, output).await,
             Command::Stream(command) => command.run(global, output).await,
+            Command::Events(command) => command.run(global, output).await,
+            Command::DebugVars(command) => command.run(global, output).await,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use sbgc_host::capture::{Format, Interpreter, Item, Reader};
@@ -13,7 +13,7 @@ use serde_json::json;
 
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::{fields, values};
+use crate::{fields, signals, values};
 
 const EXAMPLES: &str = "Examples:
   sbgc encode BOARD_INFO | sbgc decode
@@ -44,7 +44,7 @@ pub(crate) struct Decode {
 }
 
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
-enum From {
+pub(super) enum From {
     /// Whatever the beginning looks like
     #[default]
     Auto,
@@ -69,23 +69,14 @@ enum Way {
 
 impl Decode {
     pub(crate) fn run(self, output: &mut Output) -> Result<(), Failure> {
-        let (mut input, place) = self.open()?;
-        let mut reader = Reader::new(match self.from {
-            From::Auto => Format::Auto,
-            From::Bin => Format::Bin,
-            From::Hex => Format::Hex,
-            From::Log => Format::Log,
-        });
-        let mut explainer = Explainer {
-            interpreter: Interpreter::new(self.custom_flags),
-            direction: match self.direction {
-                Way::Auto => None,
-                Way::Outgoing => Some(Direction::Outgoing),
-                Way::Incoming => Some(Direction::Incoming),
-            },
-            output,
-            result: Ok(()),
+        let (mut input, place) = open(self.file.as_deref())?;
+        let mut reader = Reader::new(self.from.into());
+        let direction = match self.direction {
+            Way::Auto => None,
+            Way::Outgoing => Some(Direction::Outgoing),
+            Way::Incoming => Some(Direction::Incoming),
         };
+        let mut explainer = Explainer::new(self.custom_flags, direction, output);
         let mut piece = vec![0; 64 * 1024];
         loop {
             let length = match input.read(&mut piece) {
@@ -106,36 +97,69 @@ impl Decode {
             }
         }
     }
+}
 
-    fn open(&self) -> Result<(Box<dyn Read>, String), Failure> {
-        match &self.file {
-            Some(path) if path.as_os_str() != "-" => {
-                let place = path.display().to_string();
-                match File::open(path) {
-                    Ok(file) => Ok((Box::new(file), place)),
-                    Err(source) => Err(Failure::File { place, source }),
-                }
-            }
-            _ => Ok((Box::new(io::stdin().lock()), String::from("standard input"))),
+impl std::convert::From<From> for Format {
+    fn from(from: From) -> Self {
+        match from {
+            From::Auto => Format::Auto,
+            From::Bin => Format::Bin,
+            From::Hex => Format::Hex,
+            From::Log => Format::Log,
         }
     }
 }
 
-struct Explainer<'o> {
+/// Opens a capture; standard input when there is no path, or for `-`.
+fn open(path: Option<&Path>) -> Result<(Box<dyn Read>, String), Failure> {
+    match path {
+        Some(path) if path.as_os_str() != "-" => {
+            let place = path.display().to_string();
+            match File::open(path) {
+                Ok(file) => Ok((Box::new(file), place)),
+                Err(source) => Err(Failure::File { place, source }),
+            }
+        }
+        _ => Ok((Box::new(io::stdin().lock()), String::from("standard input"))),
+    }
+}
+
+/// Reads a capture as a whole.
+pub(super) fn read_all(path: &Path, format: Format) -> Result<Vec<Item>, Failure> {
+    signals::blocking(|| {
+        let (mut input, place) = open(Some(path))?;
+        let (mut bytes, mut items, mut reader) = (Vec::new(), Vec::new(), Reader::new(format));
+        input.read_to_end(&mut bytes).map_err(|source| Failure::File { place, source })?;
+        reader.feed(&bytes, &mut |item| items.push(item))?;
+        reader.finish(&mut |item| items.push(item))?;
+        Ok(items)
+    })
+}
+
+/// Prints frames and what is skipped between them.
+pub(super) struct Explainer<'o> {
     interpreter: Interpreter,
     direction: Option<Direction>,
-    output: &'o mut Output,
+    pub(super) output: &'o mut Output,
     result: io::Result<()>,
 }
 
-impl Explainer<'_> {
+impl<'o> Explainer<'o> {
+    pub(super) fn new(
+        custom_flags: Option<u32>,
+        direction: Option<Direction>,
+        output: &'o mut Output,
+    ) -> Self {
+        Self { interpreter: Interpreter::new(custom_flags), direction, output, result: Ok(()) }
+    }
+
     fn explain(&mut self, item: Item) {
         if self.result.is_ok() {
             self.result = self.print(item);
         }
     }
 
-    fn print(&mut self, item: Item) -> io::Result<()> {
+    pub(super) fn print(&mut self, item: Item) -> io::Result<()> {
         match item {
             Item::Skipped { at, length, cause } if self.output.is_json() => {
                 let object = json!({"kind": "skipped", "at": at, "length": length, "cause": cause.as_str()});

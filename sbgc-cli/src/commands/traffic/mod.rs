@@ -1,7 +1,10 @@
 //! Traffic.
 
+mod danger;
 mod decode;
 mod encode;
+mod record;
+mod replay;
 mod sim;
 
 use clap::Subcommand;
@@ -13,6 +16,8 @@ use crate::signals;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    Record(record::Record),
+    Replay(replay::Replay),
     Decode(decode::Decode),
     Encode(encode::Encode),
     Sim(sim::Sim),
@@ -21,6 +26,8 @@ pub(crate) enum Command {
 impl Command {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
         match self {
+            Command::Record(command) => command.run(global, output).await,
+            Command::Replay(command) => command.run(global, output).await,
             Command::Decode(command) => signals::blocking(|| command.run(output)),
             Command::Encode(command) => command.run(global, output),
             Command::Sim(command) => command.run(output).await,

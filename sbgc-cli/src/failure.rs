@@ -5,6 +5,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use sbgc_host::Error;
+use sbgc_host::params::{NameError, ParamsError};
 use serde_json::json;
 
 use crate::signals::Signal;
@@ -32,6 +33,14 @@ pub(crate) enum Failure {
     /// The board, or the way to it.
     #[error(transparent)]
     Host(#[from] Error),
+
+    /// Parameters, or what became of writing them.
+    #[error(transparent)]
+    Params(Box<ParamsError>),
+
+    /// What was compared differs; that was printed, and nothing is wrong.
+    #[error("there are differences")]
+    Differs,
 
     /// A capture that is not what it should be.
     #[error(transparent)]
@@ -69,6 +78,7 @@ impl Failure {
             Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
             // Who stops a program knows that it stopped.
             Failure::Signal(_) if !json => {}
+            Failure::Differs => {}
             _ if json => {
                 talk::say(
                     json!({"error": {"kind": self.kind(), "message": self.to_string(), "code": self.code()}}),
@@ -88,24 +98,15 @@ impl Failure {
     pub(crate) fn kind(&self) -> &'static str {
         match self {
             Failure::Usage(_) => "usage",
-            Failure::Host(error) if is_usage(error) => "usage",
             Failure::File { .. } => "file",
             Failure::Output(_) => "output",
-            Failure::NoBoard(_) | Failure::Host(Error::Timeout { .. }) => "no_answer",
-            Failure::Host(Error::Refused { .. }) => "refused",
-            Failure::Host(
-                Error::Io(_)
-                | Error::Open { .. }
-                | Error::Disconnected
-                | Error::NoSuchPort { .. }
-                | Error::PermissionDenied { .. }
-                | Error::PortBusy { .. }
-                | Error::NotBuilt { .. },
-            ) => "port",
+            Failure::NoBoard(_) => "no_answer",
+            Failure::Host(error) => host(error).0,
+            Failure::Params(error) => params(error).0,
             Failure::Capture(_) => "capture",
             Failure::NotConfirmed(_) => "not_confirmed",
             Failure::Signal(_) => "signal",
-            Failure::Host(_) | Failure::Failed(_) => "failed",
+            Failure::Failed(_) | Failure::Differs => "failed",
         }
     }
 
@@ -113,9 +114,9 @@ impl Failure {
     pub(crate) fn code(&self) -> u8 {
         match self {
             Failure::Usage(_) => 2,
-            Failure::Host(error) if is_usage(error) => 2,
-            Failure::NoBoard(_) | Failure::Host(Error::Timeout { .. }) => 3,
-            Failure::Host(Error::Refused { .. }) => 4,
+            Failure::NoBoard(_) => 3,
+            Failure::Host(error) => host(error).1,
+            Failure::Params(error) => params(error).1,
             Failure::NotConfirmed(_) => 5,
             Failure::Signal(signal) => signal.code(),
             _ => 1,
@@ -136,15 +137,51 @@ impl Failure {
     }
 }
 
-/// Whether an error is about what was typed.
-fn is_usage(error: &Error) -> bool {
-    matches!(
-        error,
+/// Kind and exit code of what a board or the way to it says.
+fn host(error: &Error) -> (&'static str, u8) {
+    match error {
+        // What was typed.
         Error::BadAddress { .. }
-            | Error::OutOfRange { .. }
-            | Error::Misaligned { .. }
-            | Error::FileSize { .. }
-    )
+        | Error::OutOfRange { .. }
+        | Error::Misaligned { .. }
+        | Error::FileSize { .. } => ("usage", 2),
+        Error::Timeout { .. } => ("no_answer", 3),
+        Error::Refused { .. } => ("refused", 4),
+        Error::Io(_)
+        | Error::Open { .. }
+        | Error::Disconnected
+        | Error::NoSuchPort { .. }
+        | Error::PermissionDenied { .. }
+        | Error::PortBusy { .. }
+        | Error::NotBuilt { .. } => ("port", 1),
+        _ => ("failed", 1),
+    }
+}
+
+/// Kind and exit code of what went wrong with parameters.
+fn params(error: &ParamsError) -> (&'static str, u8) {
+    match (error, error.host()) {
+        (_, Some(cause)) => host(cause),
+        (ParamsError::Name(_) | ParamsError::Value { .. } | ParamsError::NameTooLong(_), None) => {
+            ("usage", 2)
+        }
+        _ => ("failed", 1),
+    }
+}
+
+impl From<ParamsError> for Failure {
+    fn from(error: ParamsError) -> Self {
+        match error {
+            ParamsError::Host(error) => Failure::Host(error),
+            error => Failure::Params(Box::new(error)),
+        }
+    }
+}
+
+impl From<NameError> for Failure {
+    fn from(error: NameError) -> Self {
+        ParamsError::from(error).into()
+    }
 }
 
 /// For commands that run until they are stopped: being stopped is their usual end.

@@ -40,11 +40,11 @@ fn everything(port: &str, protocol: &str) {
     assert_eq!(lines.lines().count(), 4, "two lines of names, two of values: {lines}");
     assert!(lines.starts_with("timestamp_ms (ms)"), "{lines}");
 
-    let params = stdout(&with(&["params", "get"]));
+    let params = stdout(&with(&["params", "list"]));
     assert!(params.lines().count() > 100, "{params}");
     let profile = &objects(&with(&["params", "get", "servo_rate", "--profile", "2", "--json"]))[0];
-    assert_eq!(profile["profile"], 2);
-    assert!(profile["params"]["servo_rate"].is_number(), "{profile}");
+    assert_eq!(profile["path"], "servo_rate");
+    assert!(profile["value"].is_number(), "{profile}");
     assert_eq!(stdout(&with(&["motors", "off"])), "motors off\n");
 }
 

@@ -7,7 +7,7 @@ use common::{run, stderr};
 #[test]
 fn wrong_usage_names_the_value_and_what_would_be_right() {
     for (arguments, expected) in [
-        (&["--port", "sim", "params", "get", "--profile", "9"][..], &["'9'", "1 to 5"][..]),
+        (&["--port", "sim", "params", "get", "servo_rate", "--profile", "9"][..], &["'9'", "1 to 5"][..]),
         (&["--port", "sim", "control", "angle", "--pitch", "abc"], &["'abc'", "--pitch", "degrees"]),
         (&["--port", "sim", "control", "angle", "--pitch", "1000"], &["'1000'", "-720"]),
         (&["--port", "sim", "control", "angle"], &["--pitch"]),

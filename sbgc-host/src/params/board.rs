@@ -249,7 +249,7 @@ impl Parameters {
         let bytes = parameter.parse(name).map_err(|source| ParamsError::Value {
             path,
             value: name.to_owned(),
-            source,
+            source: Box::new(source),
         })?;
         let mut after = before.clone();
         after.set(&parameter, &bytes);

@@ -214,7 +214,7 @@ fn ambiguous(name: &str, found: &[&Parameter]) -> NameError {
 }
 
 /// Whether `pattern`, in which `*` stands for any text, is all of `text`.
-fn fits(pattern: &str, text: &str) -> bool {
+pub(super) fn fits(pattern: &str, text: &str) -> bool {
     let mut parts = pattern.split('*');
     let first = parts.next().unwrap_or_default();
     let Some(mut rest) = text.strip_prefix(first) else { return false };

@@ -28,7 +28,7 @@ pub enum ParamsError {
         /// What was given.
         value: String,
         /// Why it does not fit.
-        source: ValueError,
+        source: Box<ValueError>,
     },
     /// The firmware lacks what the command needs.
     #[error("{what} needs firmware {since} or later, the board has {firmware}")]

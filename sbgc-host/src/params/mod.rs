@@ -5,7 +5,7 @@
 //! - `catalog`: all parameters of a firmware by name.
 //! - `set`, `plan`: what a board holds, what differs, and what is going to be written.
 //! - `file`: parameters as a TOML document.
-//! - `board`: doing it with a [`Gimbal`](crate::Gimbal).
+//! - `board`: doing it with a [`Gimbal`](crate::Gimbal); `adjustable`: variables that change while it works.
 //!
 //! What a parameter is called, its unit, range and names come from [`sbgc_proto::reflect`]; nothing of it is repeated
 //! here.
@@ -37,6 +37,7 @@
 //! # }
 //! ```
 
+mod adjustable;
 mod block;
 mod board;
 mod catalog;
@@ -47,6 +48,7 @@ mod plan;
 mod quantity;
 mod set;
 
+pub use adjustable::{Setting, Variable, VariableCommand, VariableError, variables_called};
 pub use block::{Block, Place, Profile};
 pub use board::{Parameters, activation, profile_set, use_defaults};
 pub use catalog::{Catalog, NameError, nearest};

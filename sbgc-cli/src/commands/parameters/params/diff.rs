@@ -1,0 +1,216 @@
+//! `sbgc params diff`.
+
+use clap::Args;
+use sbgc_host::params::{Blocks, Difference, ParameterFile, Parameters, Profile};
+
+use super::super::arguments::profile;
+use super::super::show;
+use super::super::source::{self, Source};
+use crate::connect::with_board;
+use crate::failure::Failure;
+use crate::options::Global;
+use crate::output::Output;
+
+/// Compare parameters of files, of the board and of its profiles
+///
+/// A and B are a file, `board`, `defaults` (known once `profile reset` has run) or `profile:N`. Of a file only the
+/// profiles and parameters that it has are compared. Next to a profile or defaults, `board` is the active profile.
+#[derive(Args, Debug)]
+#[command(after_help = "Examples:
+  sbgc params diff gimbal.toml
+  sbgc params diff profile:1 profile:2 --json
+  sbgc params diff old.toml new.toml --exit-code")]
+pub(super) struct Diff {
+    /// One side
+    #[arg(value_parser = source::source)]
+    a: Source,
+
+    /// Other side
+    #[arg(value_parser = source::source, default_value = "board")]
+    b: Source,
+
+    /// Profile that `board` and a file with one profile stand for [default: the active one]
+    #[arg(long, value_name = "N", value_parser = profile)]
+    profile: Option<Profile>,
+
+    /// End with 1 when there are differences
+    #[arg(long)]
+    exit_code: bool,
+}
+
+/// One side, read as far as that goes without a board.
+enum Side {
+    File(Box<ParameterFile>),
+    Board,
+    Profile(Profile),
+    Defaults,
+}
+
+impl Diff {
+    pub(super) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
+        let differences = match (side(&self.a)?, side(&self.b)?) {
+            (Side::File(a), Side::File(b)) => between_files(&a, &b),
+            (a, b) => {
+                with_board(global, async |gimbal, info| {
+                    let parameters = Parameters::new(gimbal, info);
+                    let resolve = |side| match side {
+                        Side::Defaults => source::defaults(parameters.info()).map(Known::Defaults),
+                        Side::File(file) => Ok(Known::File(*file)),
+                        Side::Board => Ok(Known::Board),
+                        Side::Profile(profile) => Ok(Known::Profile(profile)),
+                    };
+                    let (a, b) = (resolve(a)?, resolve(b)?);
+                    self.with_sides(&parameters, &a, &b).await
+                })
+                .await?
+            }
+        };
+        for difference in &differences {
+            if output.is_json() {
+                output.object(&show::difference_json(difference))?;
+            } else {
+                output.line(show::difference(difference))?;
+            }
+        }
+        if self.exit_code && !differences.is_empty() {
+            output.flush()?;
+            return Err(Failure::Differs);
+        }
+        Ok(())
+    }
+
+    async fn with_sides(
+        &self,
+        parameters: &Parameters,
+        a: &Known,
+        b: &Known,
+    ) -> Result<Vec<Difference>, Failure> {
+        match (a, b) {
+            (Known::File(file), other) => self.file_with(parameters, file, other).await,
+            (other, Known::File(file)) => Ok(swapped(self.file_with(parameters, file, other).await?)),
+            (Known::Defaults(defaults), other) => self.defaults_with(parameters, defaults, other).await,
+            (other, Known::Defaults(defaults)) => {
+                Ok(swapped(self.defaults_with(parameters, defaults, other).await?))
+            }
+            _ => {
+                let (one, other) =
+                    (self.profile_of(parameters, a).await?, self.profile_of(parameters, b).await?);
+                let catalog = parameters.catalog();
+                let (a, b) = (parameters.read(one).await?, parameters.read(other).await?);
+                let profile = (one == other).then_some(one);
+                Ok(a.values(&catalog).differences(&b.values(&catalog), profile))
+            }
+        }
+    }
+
+    /// The profile of the board that a side stands for.
+    async fn profile_of(&self, parameters: &Parameters, side: &Known) -> Result<Profile, Failure> {
+        match (side, self.profile) {
+            (Known::Profile(profile), _) => Ok(*profile),
+            (_, Some(profile)) => Ok(profile),
+            _ => Ok(parameters.active().await?),
+        }
+    }
+
+    /// A file with something of the board; `a` is the file's.
+    async fn file_with(
+        &self,
+        parameters: &Parameters,
+        file: &ParameterFile,
+        other: &Known,
+    ) -> Result<Vec<Difference>, Failure> {
+        let pairs: Vec<(Profile, Profile)> = match other {
+            Known::Profile(wanted) => {
+                let own: Vec<_> = file.profiles().collect();
+                match own.as_slice() {
+                    [only] => vec![(*only, *wanted)],
+                    several if several.contains(wanted) => vec![(*wanted, *wanted)],
+                    _ => return Err(Failure::Usage(format!("the file has no {wanted}"))),
+                }
+            }
+            _ => match (self.profile, file.profiles().collect::<Vec<_>>().as_slice()) {
+                (Some(wanted), [only]) => vec![(*only, wanted)],
+                (Some(wanted), _) => vec![(wanted, wanted)],
+                (None, all) => all.iter().map(|profile| (*profile, *profile)).collect(),
+            },
+        };
+        let catalog = parameters.catalog();
+        let mut differences = Vec::new();
+        for (own, on_board) in pairs {
+            let mut blocks = parameters.read(on_board).await?;
+            if let Known::Defaults(defaults) = other {
+                blocks = first_of(defaults, &blocks, parameters);
+            }
+            let of_file = source::lay(file, own, &blocks, &catalog, &own.to_string());
+            differences
+                .extend(of_file.values(&catalog).differences(&blocks.values(&catalog), Some(on_board)));
+        }
+        if file.has_shared() && matches!(other, Known::Board) && self.profile.is_none() {
+            let (catalog, blocks) = (parameters.shared_catalog(), parameters.read_shared().await?);
+            let of_file = source::lay_shared(file, &blocks, parameters);
+            differences.extend(of_file.values(&catalog).differences(&blocks.values(&catalog), None));
+        }
+        Ok(differences)
+    }
+
+    /// Factory values with something of the board; `a` is the factory's.
+    async fn defaults_with(
+        &self,
+        parameters: &Parameters,
+        defaults: &ParameterFile,
+        other: &Known,
+    ) -> Result<Vec<Difference>, Failure> {
+        if matches!(other, Known::Defaults(_)) {
+            return Ok(Vec::new());
+        }
+        let profile = self.profile_of(parameters, other).await?;
+        let (catalog, blocks) = (parameters.catalog(), parameters.read(profile).await?);
+        let factory = first_of(defaults, &blocks, parameters);
+        Ok(factory.values(&catalog).differences(&blocks.values(&catalog), Some(profile)))
+    }
+}
+
+/// One side with a board at hand.
+enum Known {
+    File(ParameterFile),
+    Defaults(ParameterFile),
+    Board,
+    Profile(Profile),
+}
+
+fn side(source: &Source) -> Result<Side, Failure> {
+    Ok(match source {
+        Source::File(path) => Side::File(Box::new(source::read(path)?)),
+        Source::Board => Side::Board,
+        Source::Profile(profile) => Side::Profile(*profile),
+        Source::Defaults => Side::Defaults,
+    })
+}
+
+/// The factory values laid over a profile.
+fn first_of(defaults: &ParameterFile, blocks: &Blocks, parameters: &Parameters) -> Blocks {
+    let first = defaults.profiles().next();
+    first.map_or_else(Blocks::default, |first| {
+        source::lay(defaults, first, blocks, &parameters.catalog(), "defaults")
+    })
+}
+
+/// What two files say of the parameters that both have.
+fn between_files(a: &ParameterFile, b: &ParameterFile) -> Vec<Difference> {
+    let of = |file: &ParameterFile| file.profiles().collect::<Vec<_>>();
+    let pairs: Vec<(Profile, Profile)> = match (of(a).as_slice(), of(b).as_slice()) {
+        ([a], [b]) => vec![(*a, *b)],
+        (all, others) => all.iter().filter(|own| others.contains(own)).map(|own| (*own, *own)).collect(),
+    };
+    let mut differences: Vec<_> = pairs
+        .into_iter()
+        .flat_map(|(own, other)| a.values(own).differences(&b.values(other), (own == other).then_some(own)))
+        .collect();
+    differences.extend(a.shared_values().differences(&b.shared_values(), None));
+    differences
+}
+
+fn swapped(differences: Vec<Difference>) -> Vec<Difference> {
+    let swap = |difference: Difference| Difference { a: difference.b, b: difference.a, ..difference };
+    differences.into_iter().map(swap).collect()
+}

@@ -1,0 +1,101 @@
+//! What can be compared and restored: files, the board, one of its profiles, factory values.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use sbgc_host::params::{Applied, Blocks, Catalog, ParameterFile, Parameters, Profile, Snapshot};
+use sbgc_proto::commands::BoardInfo;
+
+use super::change;
+use crate::failure::Failure;
+use crate::{places, talk};
+
+/// Something that has parameters.
+#[derive(Clone, Debug)]
+pub(super) enum Source {
+    /// A file of parameters.
+    File(PathBuf),
+    /// What the board has.
+    Board,
+    /// One of the board's profiles.
+    Profile(Profile),
+    /// What a profile has after a reset.
+    Defaults,
+}
+
+/// A file, `board`, `defaults` or `profile:N`. A value parser of clap.
+pub(super) fn source(text: &str) -> Result<Source, String> {
+    match text.split_once(':') {
+        _ if text == "board" => Ok(Source::Board),
+        _ if text == "defaults" => Ok(Source::Defaults),
+        Some(("profile", number)) => super::arguments::profile(number).map(Source::Profile),
+        _ => Ok(Source::File(PathBuf::from(text))),
+    }
+}
+
+/// Reads a file of parameters and checks it.
+pub(super) fn read(path: &Path) -> Result<ParameterFile, Failure> {
+    let text = fs::read_to_string(path)
+        .map_err(|source| Failure::File { place: path.display().to_string(), source })?;
+    ParameterFile::parse(&text).map_err(|error| {
+        let line = error.line.map_or_else(String::new, |line| format!(":{line}"));
+        Failure::Usage(format!("{}{line}: {}", path.display(), error.problem))
+    })
+}
+
+/// Where the factory values of a board are kept once they were seen.
+fn defaults_path(info: &BoardInfo) -> Option<PathBuf> {
+    let name = format!("{:.1}-{}.toml", info.board_ver.number(), info.firmware_ver);
+    Some(places::state()?.join("defaults").join(name))
+}
+
+/// Keeps what a profile has after a reset: the protocol has no command that reads factory values.
+pub(super) fn keep_defaults(info: &BoardInfo, blocks: &Blocks) {
+    let Some(path) = defaults_path(info) else { return };
+    let snapshot = Snapshot {
+        board: info.board_ver,
+        firmware: info.firmware_ver,
+        shared: Blocks::default(),
+        profiles: Profile::all().take(1).map(|profile| (profile, blocks.clone())).collect(),
+    };
+    let made = path.parent().is_some_and(|directory| fs::create_dir_all(directory).is_ok());
+    if !made || change::replace(&path, &ParameterFile::document(&snapshot)).is_err() {
+        talk::say("the factory values could not be kept for `params diff defaults`");
+    }
+}
+
+/// The factory values of a board.
+pub(super) fn defaults(info: &BoardInfo) -> Result<ParameterFile, Failure> {
+    let path = defaults_path(info).filter(|path| path.is_file()).ok_or_else(|| {
+        Failure::Failed(format!(
+            "the factory values of firmware {} on board {:.1} are unknown: no command reads them. \
+             `sbgc profile reset N` keeps those that it finds",
+            info.firmware_ver,
+            info.board_ver.number(),
+        ))
+    })?;
+    read(&path)
+}
+
+/// The values of `file` laid over those of a profile; names what the firmware lacks.
+pub(super) fn lay(
+    file: &ParameterFile,
+    from: Profile,
+    blocks: &Blocks,
+    catalog: &Catalog,
+    whose: &str,
+) -> Blocks {
+    say_left_out(file.apply(from, blocks, catalog), whose)
+}
+
+/// The same for what belongs to no profile.
+pub(super) fn lay_shared(file: &ParameterFile, blocks: &Blocks, parameters: &Parameters) -> Blocks {
+    say_left_out(file.apply_shared(blocks, &parameters.shared_catalog()), "board")
+}
+
+fn say_left_out(applied: Applied, whose: &str) -> Blocks {
+    if !applied.left_out.is_empty() {
+        talk::say(format_args!("{whose}: not in this firmware, left out: {}", applied.left_out.join(", ")));
+    }
+    applied.blocks
+}

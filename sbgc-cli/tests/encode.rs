@@ -13,6 +13,23 @@ fn names_and_values_become_a_frame() {
     assert_eq!(objects(&output)[0]["frame"], "245201530112 3d".replace(' ', ""));
 }
 
+/// Leaving fields out never deletes, sets up or picks the form of old firmware.
+#[test]
+fn without_a_form_the_default_one_is_built() {
+    for (name, form, payload_length) in
+        [("BOARD_INFO", "simple", 0), ("ADJ_VARS_STATE", "extended", 7), ("CONTROL", "extended", 15)]
+    {
+        let message = &objects(&run(&["--json", "encode", name]))[0];
+        assert_eq!(message["form"], form, "{name}");
+        assert_eq!(message["frame"].as_str().unwrap().len() / 2, payload_length + 6, "{name}");
+    }
+    // Without data it would be the frame that deletes the file.
+    let output = run(&["encode", "WRITE_FILE", "file_id=0x0201"]);
+    assert_eq!(output.status.code(), Some(2), "{}", stdout(&output));
+    let output = run(&["--json", "encode", "WRITE_FILE", "file_id=0x0201", "data=ff"]);
+    assert_eq!(objects(&output)[0]["form"], "write");
+}
+
 #[test]
 fn mistakes_are_named() {
     for (arguments, expected) in [

@@ -109,6 +109,15 @@ pub enum EncodeError {
         /// The bytes of the text.
         length: usize,
     },
+    /// The payload would have the length of another form of the command, which means something else.
+    OtherForm {
+        /// The spec's name of the command.
+        command: &'static str,
+        /// The name of the message's form.
+        form: &'static str,
+        /// The bytes of the payload.
+        length: usize,
+    },
     /// The id is none that a frame can carry.
     Frame(crate::frame::EncodeFrameError),
 }
@@ -133,6 +142,9 @@ impl fmt::Display for EncodeError {
             }
             EncodeError::TextTooLong { length } => {
                 write!(f, "a text of {length} bytes is too long, 255 is the most")
+            }
+            EncodeError::OtherForm { command, form, length } => {
+                write!(f, "{command}: a payload of {length} bytes is not of the form {form:?} but of another")
             }
             EncodeError::Frame(error) => error.fmt(f),
         }

@@ -5,9 +5,9 @@
 
 use crate::echo::Echo;
 use crate::frame::MAX_PAYLOAD;
-use crate::message::{Request, write_payload};
+use crate::message::Request;
 use crate::wire::ToWire;
-use crate::{CommandId, OutgoingCommand, RequestInfo};
+use crate::{CommandId, RequestInfo};
 
 /// The bytes of a request that can come back: a count and forty ids, the longest of all.
 const KEPT: usize = 41;
@@ -40,19 +40,18 @@ impl Expected {
     /// The answer to a request.
     pub fn of<Q: Request + ToWire>(request: &Q) -> Self {
         let mut payload = [0; MAX_PAYLOAD];
-        // What cannot be written cannot be sent either.
-        let length = match Q::REQUEST.echo {
-            [] => 0,
-            _ => write_payload(request, (), &mut payload).unwrap_or(0),
+        let request = match Q::REQUEST.echo {
+            [] => &[],
+            // What cannot be written cannot be sent either.
+            _ => request.encode(&mut payload).unwrap_or_default(),
         };
-        let request = payload.get(..length).unwrap_or_default();
         Self::of_info(Q::ID, Q::REQUEST, <Q::Answer<'static> as crate::Message>::ID, request)
     }
 
     /// The answer to the request with this id and payload; `None` where none is declared, or none that is sure to
     /// come.
     pub fn of_payload(command: CommandId, payload: &[u8]) -> Option<Self> {
-        let info = OutgoingCommand::request_info(command, payload)?;
+        let info = RequestInfo::of_payload(command, payload)?;
         Some(Self::of_info(command, info, info.answer?, payload))
     }
 

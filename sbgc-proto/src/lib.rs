@@ -2,7 +2,7 @@
 //! the protocol typed, in both directions, without std, allocator or unsafe code.
 //!
 //! ```text
-//!  bytes ──► frame ──────► message, registry ──► commands ──► your program
+//!  bytes ──► frame ──────► message, command  ──► commands ──► your program
 //!            frames and    a message by its      one struct
 //!            noise         id and length         a payload
 //!                               │                   │ declared with
@@ -88,7 +88,9 @@
     )
 )]
 
+mod command;
 pub mod command_id;
+mod command_table;
 pub mod commands;
 mod echo;
 mod error;
@@ -97,19 +99,18 @@ pub mod frame;
 pub mod message;
 #[cfg(feature = "reflect")]
 pub mod reflect;
-mod registry;
 #[cfg(feature = "serde")]
 mod serde_support;
 mod text;
 pub mod units;
 pub mod wire;
 
+pub use command::{IncomingCommand, OutgoingCommand};
 pub use command_id::{CommandId, Direction};
 pub use echo::RequestInfo;
 pub use error::{DecodeError, EncodeError, OutOfRange};
 pub use expected::Expected;
 pub use message::{Message, Request};
-pub use registry::{IncomingCommand, OutgoingCommand};
 
 // Types of these stand in this crate's own signatures.
 pub use heapless;

@@ -30,6 +30,9 @@ pub trait Message: Layout {
     const SPEC: &'static str;
     /// The name of the form; `full` where there is one only.
     const FORM: &'static str;
+    /// Whether it is, of all forms, the one to build unless another is asked for: never one that deletes or
+    /// reconfigures by what it leaves out.
+    const IS_DEFAULT: bool;
     /// The first firmware that knows it; empty when that is not known or the first of all.
     const SINCE: &'static str;
     /// What it is for, in a sentence.
@@ -108,7 +111,9 @@ pub trait Message: Layout {
     where
         Self: ToWire<C>,
     {
-        let length = write_payload(self, context, out)?;
+        let mut writer = Writer::new(out);
+        write_message(self, context, &mut writer)?;
+        let length = writer.len();
         Ok(out.get(..length).unwrap_or_default())
     }
 
@@ -130,7 +135,10 @@ pub trait Message: Layout {
     where
         Self: ToWire,
     {
-        frame::encode_with(version, Self::ID.raw(), out, |payload| write_payload(self, (), payload))
+        frame::encode_with(version, Self::ID.raw(), out, |payload| {
+            let mut writer = Writer::new(payload);
+            write_message(self, (), &mut writer).map(|()| writer.len())
+        })
     }
 }
 
@@ -140,15 +148,19 @@ pub trait Request: Message {
     type Answer<'answer>: Message + FromWire<'answer>;
 }
 
-/// Writes a payload to the front of `out`.
-pub(crate) fn write_payload<M: ToWire<C> + ?Sized, C>(
+/// Appends the payload of a message to `out`, unless its length is that of another form.
+pub(crate) fn write_message<M: Message + ToWire<C>, C>(
     message: &M,
     context: C,
-    out: &mut [u8],
-) -> Result<usize, EncodeError> {
-    let mut writer = Writer::new(out);
-    message.write(context, &mut writer)?;
-    Ok(writer.len())
+    out: &mut Writer<'_>,
+) -> Result<(), EncodeError> {
+    let start = out.len();
+    message.write(context, out)?;
+    let length = out.len().saturating_sub(start);
+    if M::accepts(length) {
+        return Ok(());
+    }
+    Err(EncodeError::OtherForm { command: M::SPEC, form: M::FORM, length })
 }
 
 #[cold]

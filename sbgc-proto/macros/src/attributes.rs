@@ -89,11 +89,13 @@ fn echoes(input: ParseStream<'_>) -> Result<Vec<Echo>> {
 }
 
 /// The arguments of `#[message]` and `#[record]`; the command is there for messages only.
+#[expect(clippy::struct_excessive_bools, reason = "each is a word of its own in the declaration")]
 pub(crate) struct Arguments {
     pub(crate) command: Option<Ident>,
     pub(crate) outgoing: bool,
     pub(crate) size: Option<Size>,
     pub(crate) form: String,
+    pub(crate) is_default: bool,
     pub(crate) lengths: Option<Pat>,
     pub(crate) answer: Option<Type>,
     pub(crate) echo: Vec<Echo>,
@@ -126,6 +128,7 @@ impl Arguments {
             outgoing: false,
             size: None,
             form: String::from("full"),
+            is_default: true,
             lengths: None,
             answer: None,
             echo: Vec::new(),
@@ -150,7 +153,11 @@ impl Arguments {
                 }
                 "incoming" if is_message => directions += 1,
                 "size" => arguments.size = Some(value(input)?),
-                "form" if is_message => arguments.form = value::<LitStr>(input)?.value(),
+                "form" if is_message => {
+                    arguments.form = value::<LitStr>(input)?.value();
+                    arguments.is_default = false;
+                }
+                "default" if is_message => arguments.is_default = true,
                 "length" if is_message => {
                     input.parse::<Token![=]>()?;
                     arguments.lengths = Some(Pat::parse_multi(input)?);

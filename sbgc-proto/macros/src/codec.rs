@@ -182,7 +182,7 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
     let spec = command.to_string();
     let direction = if arguments.outgoing { quote!(Outgoing) } else { quote!(Incoming) };
     let (form, since) = (&arguments.form, arguments.since.as_deref().unwrap_or_default());
-    let (min, max) = (size.min, size.max);
+    let (min, max, is_default) = (size.min, size.max, arguments.is_default);
     let accepts = arguments.lengths.as_ref().map(|lengths| {
         quote!(
             fn accepts(length: usize) -> bool {
@@ -208,6 +208,7 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
             const DIRECTION: crate::Direction = crate::Direction::#direction;
             const SPEC: &'static str = #spec;
             const FORM: &'static str = #form;
+            const IS_DEFAULT: bool = #is_default;
             const SINCE: &'static str = #since;
             const SUMMARY: &'static str = #doc;
             const SIZE: ::core::ops::RangeInclusive<usize> = #min..=#max;

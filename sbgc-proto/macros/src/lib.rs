@@ -40,6 +40,7 @@ use proc_macro::TokenStream;
 /// | `outgoing`, `incoming` | direction, seen from the host |
 /// | `size = N` or `A..=B` | payload bytes; checked against the sum of the fields |
 /// | `form = "…"` | name of the form where an id has several; `full` when left out |
+/// | `default` | after `form`: the one to build unless another is asked for; goes without saying where `form` is left out |
 /// | `length = pattern` | payload lengths that choose this form |
 /// | `answer = Type` | the message the board answers with |
 /// | `echo = field` | what of the request the answer repeats in a field of the same name; several stand in brackets |

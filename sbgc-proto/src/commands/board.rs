@@ -6,7 +6,7 @@ use crate::units::{BoardVersion, FirmwareVersion, FlashSize};
 use crate::wire::{Bytes, Reserved, flags};
 
 /// Asks what the board is.
-#[message(CMD_BOARD_INFO, outgoing, form = "simple", size = 0, length = 0, answer = BoardInfo)]
+#[message(CMD_BOARD_INFO, outgoing, form = "simple", default, size = 0, length = 0, answer = BoardInfo)]
 pub struct BoardInfoRequest {}
 
 /// Asks what the board is, and sets up the driver of the port on which it comes.

@@ -7,7 +7,7 @@ use sbgc_proto_macros::message;
 macro_rules! unpublished {
     ($($command:ident: $outgoing:ident, $incoming:ident, $what:literal;)*) => { $(
         #[doc = concat!("To the board: ", $what, ". The payload is not published.")]
-        #[message($command, outgoing, form = "undocumented", size = 0..=255)]
+        #[message($command, outgoing, form = "undocumented", default, size = 0..=255)]
         #[derive(Copy)]
         pub struct $outgoing<'a> {
             /// The payload.
@@ -15,7 +15,7 @@ macro_rules! unpublished {
         }
 
         #[doc = concat!("From the board: ", $what, ". The payload is not published.")]
-        #[message($command, incoming, form = "undocumented", size = 0..=255)]
+        #[message($command, incoming, form = "undocumented", default, size = 0..=255)]
         #[derive(Copy)]
         pub struct $incoming<'a> {
             /// The payload.

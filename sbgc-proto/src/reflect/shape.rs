@@ -18,6 +18,8 @@ pub struct MessageInfo {
     pub spec: &'static str,
     /// The name of the form; `full` where there is one only.
     pub form: &'static str,
+    /// Whether it is the form to build unless another is asked for; there is one for each command and direction.
+    pub is_default: bool,
     /// The first firmware that knows it; empty when that is not known or the first of all.
     pub since: &'static str,
     /// What it is for, in a sentence.
@@ -39,6 +41,7 @@ impl MessageInfo {
             direction: M::DIRECTION,
             spec: M::SPEC,
             form: M::FORM,
+            is_default: M::IS_DEFAULT,
             since: M::SINCE,
             summary: M::SUMMARY,
             size: M::SIZE,

@@ -119,8 +119,7 @@ impl Encode {
         let found = match (forms.as_slice(), wanted) {
             ([], _) => return Err(self.unknown()),
             (forms, Some(wanted)) => forms.iter().find(|info| info.form == wanted),
-            // Of several the last is the one of present firmware.
-            (forms, None) => forms.last(),
+            (forms, None) => forms.iter().find(|info| info.is_default),
         };
         found.copied().ok_or_else(|| {
             let names: Vec<_> = forms.iter().map(|info| info.form).collect();

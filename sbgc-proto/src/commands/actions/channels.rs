@@ -11,7 +11,7 @@ use crate::wire::List;
 ///
 /// [`RcSource::API_VIRT_CH`](crate::commands::RcSource::API_VIRT_CH) names channels 1 to 31 only, so the last may have
 /// no use. One document has 31 channels here; the specification and all code have 32.
-#[message(CMD_API_VIRT_CH_CONTROL, outgoing, size = 64, length = 64..)]
+#[message(CMD_API_VIRT_CH_CONTROL, outgoing, form = "full", size = 64, length = 64..)]
 pub struct ApiVirtChControl {
     /// The signal of each channel, -500 to 500 or slightly beyond.
     pub api_virt_ch: [CoarseRcSignal; 32],
@@ -20,7 +20,7 @@ pub struct ApiVirtChControl {
 /// Sets the first of the virtual channels.
 ///
 /// It is not confirmed.
-#[message(CMD_API_VIRT_CH_CONTROL, outgoing, form = "variable", size = 2..=64, since = "2.70b5")]
+#[message(CMD_API_VIRT_CH_CONTROL, outgoing, form = "variable", default, size = 2..=64, since = "2.70b5")]
 pub struct ApiVirtChControlVariable {
     /// The signal of each channel, -500 to 500 or slightly beyond.
     pub api_virt_ch: List<CoarseRcSignal, 32>,

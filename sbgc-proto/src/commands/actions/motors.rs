@@ -16,7 +16,7 @@ pub struct MotorsOn {}
 pub struct MotorsOffSimple {}
 
 /// Switches the motors off.
-#[message(CMD_MOTORS_OFF, outgoing, form = "extended", size = 1, since = "2.68b7", answer = Confirm)]
+#[message(CMD_MOTORS_OFF, outgoing, form = "extended", default, size = 1, since = "2.68b7", answer = Confirm)]
 pub struct MotorsOff {
     /// How they are switched off.
     #[wire(since = "2.68b7")]
@@ -52,7 +52,7 @@ pub struct SyncMotors {
 /// Runs a menu command.
 ///
 /// That it is confirmed is known from the vendor's libraries. [`MenuCommand::No`] does nothing but be confirmed.
-#[message(CMD_EXECUTE_MENU, outgoing, form = "simple", size = 1, answer = Confirm)]
+#[message(CMD_EXECUTE_MENU, outgoing, form = "simple", default, size = 1, answer = Confirm)]
 pub struct ExecuteMenu {
     /// What to do.
     pub cmd_id: MenuCommand,

@@ -14,7 +14,7 @@ pub struct ResetRequest {}
 /// Restarts the board after a delay, with a notice before.
 ///
 /// With [`ResetFlags::CONFIRM`] the board sends [`Reset`] first; it confirms nothing otherwise.
-#[message(CMD_RESET, outgoing, form = "extended", size = 3)]
+#[message(CMD_RESET, outgoing, form = "extended", default, size = 3)]
 pub struct ResetExtendedRequest {
     /// Whether there is a notice, and what is kept.
     #[wire(spec = "CONFIRM")]
@@ -54,7 +54,7 @@ pub struct BootMode3 {}
 ///
 /// The spec has [`Reset`] as the notice; one of the vendor's libraries waits for a confirmation instead, another for
 /// nothing. Take either, and need none.
-#[message(CMD_BOOT_MODE_3, outgoing, form = "extended", size = 3)]
+#[message(CMD_BOOT_MODE_3, outgoing, form = "extended", default, size = 3)]
 pub struct BootMode3Extended {
     /// Whether there is a notice.
     pub confirm: Switch,

@@ -9,7 +9,7 @@ use crate::wire::List;
 /// Stores all variables that are in use in EEPROM, those of a profile in the active one.
 ///
 /// The specification is silent on the answer; the vendor's library waits for it.
-#[message(CMD_SAVE_PARAMS_3, outgoing, form = "simple", size = 0, length = 0, answer = Confirm)]
+#[message(CMD_SAVE_PARAMS_3, outgoing, form = "simple", default, size = 0, length = 0, answer = Confirm)]
 pub struct SaveParams3 {}
 
 /// Stores some variables in EEPROM, those of a profile in the active one.

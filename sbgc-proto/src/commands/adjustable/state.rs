@@ -11,7 +11,7 @@ use crate::wire::{BitField, Float, Reserved, bit_fields};
 #[message(
     CMD_ADJ_VARS_STATE,
     outgoing,
-    form = "extended",
+    form = "extended", default,
     size = 7,
     length = 7..,
     since = "2.62b5",
@@ -34,7 +34,7 @@ pub struct AdjVarsStateRequest {
 /// The state of a trigger slot, of two signals and of two variables: the answer to [`AdjVarsStateRequest`].
 ///
 /// The legacy form has as many bytes, so the payload does not say which it is; firmware and request do.
-#[message(CMD_ADJ_VARS_STATE, incoming, form = "extended", size = 15, since = "2.62b5")]
+#[message(CMD_ADJ_VARS_STATE, incoming, form = "extended", default, size = 15, since = "2.62b5")]
 pub struct AdjVarsState {
     /// Signal of the trigger slot.
     #[wire(range = -16384..=16384)]

@@ -17,7 +17,7 @@ pub struct EncodersCalibOffset4Simple {}
 /// Makes the present position the zero of one encoder or all.
 ///
 /// All else is as with [`EncodersCalibOffset4Simple`].
-#[message(CMD_ENCODERS_CALIB_OFFSET_4, outgoing, form = "extended", size = 1, since = "2.68b7")]
+#[message(CMD_ENCODERS_CALIB_OFFSET_4, outgoing, form = "extended", default, size = 1, since = "2.68b7")]
 pub struct EncodersCalibOffset4 {
     /// Which encoder.
     pub for_motor: ForMotor,
@@ -45,7 +45,7 @@ pub enum ForMotor {
 /// long it takes is not published. Failure shows in the [`SystemErrors`](crate::commands::SystemErrors) of the
 /// real-time data, the result in [`encoder_fld_offset`](crate::commands::ParamsExt::encoder_fld_offset) of the
 /// parameters.
-#[message(CMD_ENCODERS_CALIB_FLD_OFFSET_4, outgoing, form = "simple", size = 0, length = 0)]
+#[message(CMD_ENCODERS_CALIB_FLD_OFFSET_4, outgoing, form = "simple", default, size = 0, length = 0)]
 pub struct EncodersCalibFldOffset4Simple {}
 
 /// Finds how the encoders stand to the fields of their motors, over a given range.

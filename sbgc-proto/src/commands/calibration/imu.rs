@@ -23,7 +23,7 @@ pub struct CalibAccSimple {}
 ///
 /// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu commands
 /// `MENU_CMD_CALIB_ACC` and `MENU_CMD_CALIB_ACC_TEMP` start the same.
-#[message(CMD_CALIB_ACC, outgoing, form = "extended", size = 12, answer = Confirm)]
+#[message(CMD_CALIB_ACC, outgoing, form = "extended", default, size = 12, answer = Confirm)]
 pub struct CalibAcc(pub ImuCalibration);
 
 /// Starts the regular calibration of the gyroscope.
@@ -43,7 +43,7 @@ pub struct CalibGyroSimple {}
 ///
 /// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu commands
 /// `MENU_CMD_CALIB_GYRO` and `MENU_CMD_CALIB_GYRO_TEMP` start the same.
-#[message(CMD_CALIB_GYRO, outgoing, form = "extended", size = 12, answer = Confirm)]
+#[message(CMD_CALIB_GYRO, outgoing, form = "extended", default, size = 12, answer = Confirm)]
 pub struct CalibGyro(pub ImuCalibration);
 
 /// Starts the regular calibration of the magnetometer.
@@ -63,7 +63,7 @@ pub struct CalibMagSimple {}
 ///
 /// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu command
 /// `MENU_CMD_CALIB_MAG` starts the same.
-#[message(CMD_CALIB_MAG, outgoing, form = "extended", size = 12, answer = Confirm)]
+#[message(CMD_CALIB_MAG, outgoing, form = "extended", default, size = 12, answer = Confirm)]
 pub struct CalibMag(pub ImuCalibration);
 
 /// What to do with the calibration of one sensor.

@@ -56,7 +56,7 @@ pub struct ControlLegacy {
 /// assert!(control.control_mode.pitch.auto_task());
 /// # Ok::<(), sbgc_proto::EncodeError>(())
 /// ```
-#[message(CMD_CONTROL, outgoing, form = "extended", size = 15, since = "2.55b5", answer = Confirm)]
+#[message(CMD_CONTROL, outgoing, form = "extended", default, size = 15, since = "2.55b5", answer = Confirm)]
 #[derive(Copy)]
 pub struct Control {
     /// How each axis is controlled.

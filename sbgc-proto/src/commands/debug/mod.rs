@@ -22,7 +22,7 @@ pub struct DebugVarsInfo3Request {}
 ///
 /// They may not fit one answer: ask on, from the first that is not described yet, until an answer brings no more.
 #[message(
-    CMD_DEBUG_VARS_INFO_3, outgoing, form = "extended", size = 1, since = "2.72b0", answer = DebugVarsInfo3<'answer>
+    CMD_DEBUG_VARS_INFO_3, outgoing, form = "extended", default, size = 1, since = "2.72b0", answer = DebugVarsInfo3<'answer>
 )]
 #[derive(Copy)]
 pub struct DebugVarsInfo3ExtendedRequest {
@@ -118,7 +118,7 @@ pub enum DebugVarAxis {
 bit_enums!(DebugVarType, DebugVarAxis);
 
 /// Asks for the values of all debug variables.
-#[message(CMD_DEBUG_VARS_3, outgoing, form = "simple", size = 0, length = 0, answer = DebugVars3<'answer>)]
+#[message(CMD_DEBUG_VARS_3, outgoing, form = "simple", default, size = 0, length = 0, answer = DebugVars3<'answer>)]
 #[derive(Copy)]
 pub struct DebugVars3Request {}
 

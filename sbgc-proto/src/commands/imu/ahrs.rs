@@ -9,7 +9,7 @@ use crate::wire::{Bytes, Float, PerXyz, bit_enums, bit_fields};
 /// The first bit of the mode says which. To give, send it 20 to 50 times a second; nothing answers. When it asks, the
 /// vectors are ignored and [`AhrsHelper`] answers; this form is the safe one for that, and [`AhrsHelperShortRequest`]
 /// the one that newer libraries send.
-#[message(CMD_AHRS_HELPER, outgoing, form = "mode2u", size = 26, since = "2.69b5")]
+#[message(CMD_AHRS_HELPER, outgoing, form = "mode2u", default, size = 26, since = "2.69b5")]
 pub struct AhrsHelperRequest {
     /// What to do, with which sensor.
     pub mode: AhrsHelperMode,

@@ -13,7 +13,7 @@ use crate::wire::{PerXyz, Reserved, bit_enums, bit_fields};
 /// To test on the bench, set the parameter ACC LPF to 5 to 10 Hz and watch `IMU_G_ERR` of the real-time data: without
 /// this command shaking the gimbal raises it, with correct accelerations it stays near zero, however the frame is
 /// turned and however the camera stands to it. At rest and when tilted slowly the acceleration must be near zero.
-#[message(CMD_HELPER_DATA, outgoing, form = "extended", size = 20, since = "2.60")]
+#[message(CMD_HELPER_DATA, outgoing, form = "extended", default, size = 20, since = "2.60")]
 pub struct HelperData {
     /// Linear acceleration of the frame, without gravity, in the system that `flags` chooses.
     pub frame_acc: PerXyz<Acceleration>,

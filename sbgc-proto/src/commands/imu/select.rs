@@ -10,7 +10,7 @@ use crate::wire::PerXyz;
 ///
 /// The board ignores it when that sensor is not connected. Whether it confirms is not settled: take a `CMD_CONFIRM` if
 /// it comes, do not depend on it.
-#[message(CMD_SELECT_IMU_3, outgoing, form = "simple", size = 1, length = 1)]
+#[message(CMD_SELECT_IMU_3, outgoing, form = "simple", default, size = 1, length = 1)]
 pub struct SelectImu3 {
     /// Which sensor.
     pub imu_type: ImuType,

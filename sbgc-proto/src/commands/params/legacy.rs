@@ -18,7 +18,7 @@ pub struct ReadParams {
 ///
 /// Deprecated, and not published. A driver for boards of 8 bits reads 105 bytes: at first those of
 /// [`Params3`](super::Params3), up to `FOLLOW_OFFSET`.
-#[message(CMD_READ_PARAMS, incoming, form = "undocumented", size = 0..=255)]
+#[message(CMD_READ_PARAMS, incoming, form = "undocumented", default, size = 0..=255)]
 pub struct Params<'a> {
     /// The bytes.
     pub data: &'a [u8],
@@ -27,7 +27,7 @@ pub struct Params<'a> {
 /// Writes the parameters of a profile, in the layout of old boards.
 ///
 /// Deprecated, and not published.
-#[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", size = 0..=255, answer = Confirm)]
+#[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", default, size = 0..=255, answer = Confirm)]
 pub struct WriteParams<'a> {
     /// The bytes.
     pub data: &'a [u8],

@@ -27,7 +27,7 @@ pub struct ReadFile {
 /// The vendor's libraries expect one more byte after the part, an error code, and take
 /// [`file_size`](Self::file_size) for the length of the part; the specification knows neither, and that is the reading
 /// here. If exactly one byte more than asked for comes, it is that code.
-#[message(CMD_READ_FILE, incoming, form = "success", size = 4..=255, length = 4..)]
+#[message(CMD_READ_FILE, incoming, form = "success", default, size = 4..=255, length = 4..)]
 pub struct FilePart<'a> {
     /// How long the whole file is.
     #[wire(unit = "byte")]
@@ -50,7 +50,7 @@ pub struct FilePartError {
 /// A file that does not exist is made, and one of another size is made to have
 /// [`file_size`](Self::file_size). The board confirms always, with a [`FsErrorCode`] as the data of the
 /// confirmation. Without data this would be a [`WriteFileDelete`].
-#[message(CMD_WRITE_FILE, outgoing, form = "write", size = 7..=255, length = 7.., answer = Confirm)]
+#[message(CMD_WRITE_FILE, outgoing, form = "write", default, size = 7..=255, length = 7.., answer = Confirm)]
 pub struct WriteFile<'a> {
     /// Which file.
     pub file_id: FileId,

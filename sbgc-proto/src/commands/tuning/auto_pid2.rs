@@ -10,7 +10,7 @@ use crate::wire::{PerAxis, Reserved, bit_fields, flags};
 ///
 /// The form for all actions that need no configuration. Confirmed once, at once; an action that is not possible brings
 /// `CMD_ERROR` with an [`AutoPid2Error`](crate::commands::AutoPid2Error) in place of the confirmation.
-#[message(CMD_AUTO_PID2, outgoing, form = "simple", size = 11, length = 11, since = "2.70", answer = Confirm)]
+#[message(CMD_AUTO_PID2, outgoing, form = "simple", default, size = 11, length = 11, since = "2.70", answer = Confirm)]
 pub struct AutoPid2SimpleRequest {
     /// What to do.
     pub action: AutoPid2Action,
@@ -133,7 +133,7 @@ pub struct AutoPid2LegacyAxis {
 /// The configuration of automatic tuning, presumably what [`AutoPid2Action::Read`] asks for.
 ///
 /// The layout is not published, so these bytes stay as they came.
-#[message(CMD_AUTO_PID2, incoming, form = "undocumented", size = 0..=255)]
+#[message(CMD_AUTO_PID2, incoming, form = "undocumented", default, size = 0..=255)]
 pub struct AutoPid2<'a> {
     /// The payload.
     pub data: &'a [u8],

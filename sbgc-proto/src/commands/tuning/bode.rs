@@ -12,7 +12,7 @@ use crate::wire::{Float, List, Reserved};
 /// **The gimbal moves.** It needs motors that are on and a board that has this function. `CMD_CONFIRM` comes first,
 /// which old firmware may leave out, then [`BodeTestData`] again and again without being asked, and
 /// [`BodeTestStartStop`] at the end, after `samples_num` times 0.8 ms. How to stop a test early is not known.
-#[message(CMD_BODE_TEST_START_STOP, outgoing, form = "start", size = 30, answer = Confirm)]
+#[message(CMD_BODE_TEST_START_STOP, outgoing, form = "start", default, size = 30, answer = Confirm)]
 pub struct BodeTestStartStopRequest {
     /// Which axis.
     pub axis: Axis,
@@ -39,7 +39,7 @@ pub struct BodeTestStartStopRequest {
 }
 
 /// A Bode test has ended.
-#[message(CMD_BODE_TEST_START_STOP, incoming, form = "finished", size = 22)]
+#[message(CMD_BODE_TEST_START_STOP, incoming, form = "finished", default, size = 22)]
 pub struct BodeTestStartStop {
     /// How many samples there were. Some firmware gives the number of the last one, which is one less.
     pub samples_count: u32,

@@ -1,24 +1,22 @@
 //! Any stream in any chunks: no panic, progress on every step, every byte accounted for, and the frames of
-//! the one-shot scan; gaps at any moment keep the account.
+//! a slow and obvious decoder; gaps at any moment keep the account.
 //!
 //! Input: a byte of options, a byte that seeds chunk sizes and gaps, then the stream.
 #![no_main]
 
+#[path = "../../sbgc-proto/tests/slow_decoder/mod.rs"]
+mod slow_decoder;
+
 use libfuzzer_sys::fuzz_target;
-use sbgc_proto::frame::{
-    Cause, Decoder, Event, MAX_FRAME, Scan, Skipped, Version, Versions, encode_into, scan,
-};
+use sbgc_proto::frame::{Cause, Decoder, Event, MAX_FRAME, Version, Versions, encode_into};
+use slow_decoder::{Seen, push};
 
 /// The stream is a row of recipes for frames and noise: the way past checksums, which chance seldom finds.
 const RECIPES: u8 = 0x04;
 /// The driver sees gaps and gives candidates up.
 const GAPS: u8 = 0x08;
-
-#[derive(Debug, PartialEq)]
-enum Seen {
-    Frame { at: u64, version: Version, id: u8, payload: Vec<u8> },
-    Skipped(Skipped),
-}
+/// Bytes come one at a time, and what else can be told is asked for now and then.
+const SINGLE: u8 = 0x10;
 
 fuzz_target!(|data: &[u8]| {
     let [options, seed, stream @ ..] = data else { return };
@@ -37,9 +35,13 @@ fuzz_target!(|data: &[u8]| {
 
     let mut dice = Dice(u32::from(*seed) + 1);
     let gaps = options & GAPS != 0;
-    let seen = chunked(stream, versions, gaps, &mut dice);
+    let seen = if options & SINGLE == 0 {
+        chunked(stream, versions, gaps, &mut dice)
+    } else {
+        pushed(stream, versions, gaps, &mut dice)
+    };
     if !gaps {
-        assert_eq!(seen, one_shot(stream, versions));
+        assert_eq!(seen, slow_decoder::decode(stream, versions));
     }
 });
 
@@ -97,6 +99,35 @@ fn chunked(stream: &[u8], versions: Versions, gaps: bool, dice: &mut Dice) -> Ve
         }
         assert!(rest.is_empty() && decoder.pending() < MAX_FRAME);
     }
+    finish(decoder, seen, fed)
+}
+
+fn pushed(stream: &[u8], versions: Versions, gaps: bool, dice: &mut Dice) -> Vec<Seen> {
+    let mut decoder = Decoder::new(versions);
+    let mut seen = Vec::new();
+    for (fed, &byte) in stream.iter().enumerate() {
+        if let Some(event) = decoder.push(byte) {
+            push(&mut seen, event);
+        }
+        account(&decoder, fed + 1);
+        while dice.below(3) > 0
+            && let Some(event) = decoder.more()
+        {
+            push(&mut seen, event);
+        }
+        if gaps
+            && dice.below(8) == 0
+            && let Some(skipped) = decoder.skip_candidate()
+        {
+            push(&mut seen, Event::Skipped(skipped));
+        }
+        account(&decoder, fed + 1);
+    }
+    finish(decoder, seen, stream.len())
+}
+
+/// Ends the stream and compares the counters with what was seen.
+fn finish(mut decoder: Decoder, mut seen: Vec<Seen>, fed: usize) -> Vec<Seen> {
     while let Some(event) = decoder.finish() {
         push(&mut seen, event);
     }
@@ -106,9 +137,7 @@ fn chunked(stream: &[u8], versions: Versions, gaps: bool, dice: &mut Dice) -> Ve
     let total = |wanted: Option<Cause>| -> u64 {
         let length = |seen: &Seen| match seen {
             Seen::Skipped(skipped) if Some(skipped.cause) == wanted => skipped.length as u64,
-            Seen::Frame { version, payload, .. } if wanted.is_none() => {
-                version.frame_len(payload.len()) as u64
-            }
+            Seen::Frame { .. } if wanted.is_none() => seen.length(),
             _ => 0,
         };
         seen.iter().map(length).sum()
@@ -120,40 +149,8 @@ fn chunked(stream: &[u8], versions: Versions, gaps: bool, dice: &mut Dice) -> Ve
     seen
 }
 
-fn one_shot(stream: &[u8], versions: Versions) -> Vec<Seen> {
-    let (mut seen, mut at) = (Vec::new(), 0);
-    while at < stream.len() {
-        let skipped = |length, cause| Event::Skipped(Skipped { at: at as u64, length, cause });
-        let (event, used) = match scan(&stream[at..], versions) {
-            Scan::Frame { frame, used } => (Event::Frame { at: at as u64, frame }, used),
-            Scan::Skip { used, cause } => (skipped(used, cause), used),
-            Scan::NeedMore { .. } => (skipped(1, Cause::Truncated), 1),
-        };
-        push(&mut seen, event);
-        at += used;
-    }
-    seen
-}
-
 fn account(decoder: &Decoder, fed: usize) {
     assert_eq!(decoder.position() + decoder.pending() as u64, fed as u64);
-}
-
-/// Keeps `event`, joined with the one before where only a cut parts them.
-fn push(seen: &mut Vec<Seen>, event: Event<'_>) {
-    let event = match event {
-        Event::Frame { at, frame } => {
-            Seen::Frame { at, version: frame.version, id: frame.id, payload: frame.payload.to_vec() }
-        }
-        Event::Skipped(skipped) => Seen::Skipped(skipped),
-    };
-    if let (Some(Seen::Skipped(last)), Seen::Skipped(next)) = (seen.last_mut(), &event)
-        && let Some(joined) = last.join(*next)
-    {
-        *last = joined;
-        return;
-    }
-    seen.push(event);
 }
 
 /// A small generator (xorshift), so that one byte of input stands for a whole way of cutting.

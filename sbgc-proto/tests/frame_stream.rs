@@ -1,48 +1,14 @@
 //! Streams of frames and noise, cut into chunks in every way.
 
+mod slow_decoder;
+
 use proptest::collection::vec;
 use proptest::prelude::*;
 use sbgc_proto::frame::{
     Cause, Decoder, Event, MAX_FRAME, Scan, Skipped, Version, Versions, encode_into, scan,
 };
 
-/// An event that owns its bytes.
-#[derive(Clone, Debug, PartialEq)]
-enum Seen {
-    Frame { at: u64, version: Version, id: u8, payload: Vec<u8> },
-    Skipped(Skipped),
-}
-
-impl Seen {
-    fn length(&self) -> u64 {
-        match self {
-            Self::Frame { version, payload, .. } => version.frame_len(payload.len()) as u64,
-            Self::Skipped(skipped) => skipped.length as u64,
-        }
-    }
-}
-
-impl From<Event<'_>> for Seen {
-    fn from(event: Event<'_>) -> Self {
-        match event {
-            Event::Frame { at, frame } => {
-                Self::Frame { at, version: frame.version, id: frame.id, payload: frame.payload.to_vec() }
-            }
-            Event::Skipped(skipped) => Self::Skipped(skipped),
-        }
-    }
-}
-
-/// Joins pieces of noise, which alone may depend on the chunks.
-fn push(seen: &mut Vec<Seen>, event: Event<'_>) {
-    if let (Some(Seen::Skipped(last)), Event::Skipped(next)) = (seen.last_mut(), event)
-        && let Some(joined) = last.join(next)
-    {
-        *last = joined;
-        return;
-    }
-    seen.push(event.into());
-}
+use slow_decoder::{Seen, push};
 
 /// The whole stream by `scan` alone.
 fn one_shot(stream: &[u8], versions: Versions) -> Vec<Seen> {
@@ -75,6 +41,14 @@ impl Feed {
         Self { decoder: Decoder::new(versions), fed: 0, seen: Vec::new() }
     }
 
+    /// As [`chunk`](Self::chunk), where something may be told of bytes before it.
+    fn chunk_behind_bytes(&mut self, chunk: &[u8]) {
+        while let Some(event) = self.decoder.more().map(Seen::from) {
+            self.seen_next(Some(event));
+        }
+        self.chunk(chunk);
+    }
+
     fn chunk(&mut self, chunk: &[u8]) {
         let start = self.fed;
         let mut rest = chunk;
@@ -98,6 +72,37 @@ impl Feed {
         }
         assert_eq!(rest, []);
         assert!(self.decoder.pending() < MAX_FRAME);
+    }
+
+    /// As an interrupt does it: every byte by itself, and what else can be told asked for at once or not.
+    fn bytes(&mut self, bytes: &[u8], ask: bool) {
+        for &byte in bytes {
+            let (pending, at) = (self.decoder.pending(), self.decoder.position());
+            let event = self.decoder.push(byte).map(Seen::from);
+            self.fed += 1;
+            let mut told = event.is_some();
+            self.seen_next(event);
+            if !ask && told {
+                continue;
+            }
+            while told {
+                let event = self.decoder.more().map(Seen::from);
+                told = event.is_some();
+                self.seen_next(event);
+            }
+            // A byte that only is put to others changes nothing else.
+            if self.decoder.position() == at {
+                assert_eq!(self.decoder.pending(), pending + 1);
+            }
+            assert!(self.decoder.pending() < MAX_FRAME);
+        }
+    }
+
+    fn seen_next(&mut self, event: Option<Seen>) {
+        if let Some(event) = event {
+            push(&mut self.seen, event);
+        }
+        self.check();
     }
 
     fn finish(mut self) -> Vec<Seen> {
@@ -130,6 +135,12 @@ fn chunked<'a>(chunks: impl IntoIterator<Item = &'a [u8]>, versions: Versions) -
     for chunk in chunks {
         feed.chunk(chunk);
     }
+    feed.finish()
+}
+
+fn pushed(stream: &[u8], versions: Versions, ask: bool) -> Vec<Seen> {
+    let mut feed = Feed::new(versions);
+    feed.bytes(stream, ask);
     feed.finish()
 }
 
@@ -208,6 +219,9 @@ fn every_chunk_size() {
     let stream = hard_stream();
     for versions in [Versions::Both, Versions::Only(Version::V1), Versions::Only(Version::V2)] {
         let expected = one_shot(&stream, versions);
+        assert_eq!(slow_decoder::decode(&stream, versions), expected);
+        assert_eq!(pushed(&stream, versions, true), expected);
+        assert_eq!(pushed(&stream, versions, false), expected);
         for size in 1..=stream.len() {
             assert_eq!(chunked(stream.chunks(size), versions), expected, "chunks of {size}");
         }
@@ -346,7 +360,26 @@ proptest! {
         sizes in vec(prop_oneof![1..8_usize, 1..300_usize], 1..8),
         versions in versions(),
     ) {
-        prop_assert_eq!(chunked(cut(&stream, &sizes), versions), one_shot(&stream, versions));
+        let expected = slow_decoder::decode(&stream, versions);
+        prop_assert_eq!(&one_shot(&stream, versions), &expected);
+        prop_assert_eq!(&chunked(cut(&stream, &sizes), versions), &expected);
+        prop_assert_eq!(&pushed(&stream, versions, true), &expected);
+        prop_assert_eq!(&pushed(&stream, versions, false), &expected);
+    }
+
+    #[test]
+    fn chunks_and_single_bytes_mix(
+        stream in stream(),
+        sizes in vec(prop_oneof![1..8_usize, 1..300_usize], 1..8),
+        single in vec(any::<bool>(), 1..6),
+        ask in any::<bool>(),
+    ) {
+        let mut feed = Feed::new(Versions::Both);
+        for (chunk, single) in cut(&stream, &sizes).into_iter().zip(single.into_iter().cycle()) {
+            // A chunk is looked at once all has been told of what came before.
+            if single { feed.bytes(chunk, ask) } else { feed.chunk_behind_bytes(chunk) }
+        }
+        prop_assert_eq!(feed.finish(), slow_decoder::decode(&stream, Versions::Both));
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! Frames out of a stream that comes in chunks.
 
+use super::counters::Tally;
 use super::pending::Pending;
 use super::scan::{Header, Measure, measure};
-use super::{Cause, Frame, Versions};
+use super::{Cause, Counters, Frame, Versions};
 
 /// What the [`Decoder`] found next in the stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,68 +40,6 @@ impl Skipped {
     pub fn join(self, next: Self) -> Option<Self> {
         let adjacent = self.at.checked_add(self.length as u64) == Some(next.at) && self.cause == next.cause;
         adjacent.then(|| Self { length: self.length.saturating_add(next.length), ..self })
-    }
-}
-
-/// What became of all bytes so far.
-///
-/// `bytes()` here plus [`Decoder::pending`] is the number of bytes the decoder was given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Counters {
-    /// Number of frames.
-    pub frames: u64,
-    /// Bytes in those frames.
-    pub frame_bytes: u64,
-    /// Bytes skipped for [`Cause::NoStartByte`].
-    pub no_start_byte: u64,
-    /// Bytes skipped for [`Cause::HeaderChecksum`]: one for each refused header.
-    pub header_checksum: u64,
-    /// Bytes skipped for [`Cause::PayloadChecksum`]: one for each refused payload.
-    pub payload_checksum: u64,
-    /// Bytes skipped for [`Cause::Truncated`]: one for each frame that was given up.
-    pub truncated: u64,
-}
-
-impl Counters {
-    /// Bytes skipped for `cause`.
-    pub const fn skipped_for(&self, cause: Cause) -> u64 {
-        match cause {
-            Cause::NoStartByte => self.no_start_byte,
-            Cause::HeaderChecksum => self.header_checksum,
-            Cause::PayloadChecksum => self.payload_checksum,
-            Cause::Truncated => self.truncated,
-        }
-    }
-
-    /// Bytes skipped for whatever cause.
-    pub const fn skipped(&self) -> u64 {
-        self.no_start_byte + self.header_checksum + self.payload_checksum + self.truncated
-    }
-
-    /// Bytes in frames and bytes skipped.
-    pub const fn bytes(&self) -> u64 {
-        self.frame_bytes + self.skipped()
-    }
-
-    fn skip(&mut self, length: usize, cause: Cause) -> Skipped {
-        let at = self.bytes();
-        let counter = match cause {
-            Cause::NoStartByte => &mut self.no_start_byte,
-            Cause::HeaderChecksum => &mut self.header_checksum,
-            Cause::PayloadChecksum => &mut self.payload_checksum,
-            Cause::Truncated => &mut self.truncated,
-        };
-        *counter += length as u64;
-        Skipped { at, length, cause }
-    }
-
-    /// Counts a frame and says where it started.
-    fn frame(&mut self, header: Header) -> u64 {
-        let at = self.bytes();
-        self.frames += 1;
-        self.frame_bytes += header.frame_len() as u64;
-        at
     }
 }
 
@@ -148,21 +87,13 @@ pub struct Decoder {
     versions: Versions,
     /// Between calls: empty, or bytes of earlier chunks that no event has told of.
     pending: Pending,
-    counters: Counters,
+    tally: Tally,
 }
 
 impl Decoder {
     /// A decoder at the start of a stream.
     pub const fn new(versions: Versions) -> Self {
-        let counters = Counters {
-            frames: 0,
-            frame_bytes: 0,
-            no_start_byte: 0,
-            header_checksum: 0,
-            payload_checksum: 0,
-            truncated: 0,
-        };
-        Self { versions, pending: Pending::new(), counters }
+        Self { versions, pending: Pending::new(), tally: Tally::new() }
     }
 
     /// The next event, or `None` once `input` is used up.
@@ -181,23 +112,77 @@ impl Decoder {
     /// assert_eq!((chunk, decoder.pending()), (&[][..], 2));
     /// ```
     // The two lifetimes are apart so that a loop can call it again with the same cursor.
+    #[inline]
     pub fn next<'a, 'c: 'a>(&'a mut self, input: &mut &'c [u8]) -> Option<Event<'a>> {
-        if self.pending.is_empty() { self.next_from_chunk(input) } else { self.next_from_pending(input) }
+        if self.pending.is_empty() {
+            return self.next_from_chunk(input);
+        }
+        if let (&[byte], true) = (*input, self.pending.lacks() > 1) {
+            self.pending.push(byte);
+            *input = &[];
+            return None;
+        }
+        self.next_from_pending(input)
     }
 
+    /// Takes one byte, as an interrupt brings it, and returns the next event if one can be told.
+    ///
+    /// While a candidate lacks bytes this is a store and a comparison. There is room for the byte whatever was told
+    /// before, but a byte that ends a false candidate may bring more than one event; [`more`](Self::more) has the rest.
+    /// Whoever does not ask for it gets one more with each byte.
+    ///
+    /// ```
+    /// use sbgc_proto::frame::{Decoder, Event, Versions};
+    ///
+    /// let mut decoder = Decoder::new(Versions::Both);
+    /// let mut ids = Vec::new();
+    /// // A false start that announces 3 bytes, and a frame that is all over before it.
+    /// for byte in *b"\x3E\x01\x03\x04\x3E\x56\x00\x56\x00" {
+    ///     let mut next = decoder.push(byte);
+    ///     while let Some(event) = next {
+    ///         if let Event::Frame { frame, .. } = event {
+    ///             ids.push(frame.id);
+    ///         }
+    ///         next = decoder.more();
+    ///     }
+    /// }
+    /// assert_eq!(ids, [0x56]);
+    /// ```
+    #[inline]
+    pub fn push(&mut self, byte: u8) -> Option<Event<'_>> {
+        self.pending.push(byte);
+        if self.pending.lacks() > 0 { None } else { self.more() }
+    }
+
+    /// The next event that can be told without another byte.
+    pub fn more(&mut self) -> Option<Event<'_>> {
+        loop {
+            if self.pending.is_empty() || self.pending.lacks() > 0 {
+                return None;
+            }
+            match measure(self.pending.as_slice(), self.versions) {
+                Measure::Frame(header) => return Some(self.take_frame(header)),
+                Measure::Skip { used, cause } => return Some(self.take_skipped(used, cause)),
+                Measure::NeedMore { at_least } => self.pending.wait_for(at_least),
+            }
+        }
+    }
+
+    #[inline]
     fn next_from_chunk<'c>(&mut self, input: &mut &'c [u8]) -> Option<Event<'c>> {
         let chunk = *input;
         match measure(chunk, self.versions) {
             Measure::Frame(header) => {
                 advance(input, header.frame_len());
-                Some(Event::Frame { at: self.counters.frame(header), frame: header.frame(chunk) })
+                Some(Event::Frame { at: self.tally.frame(header.frame_len()), frame: header.frame(chunk) })
             }
             Measure::Skip { used, cause } => {
                 advance(input, used);
-                Some(Event::Skipped(self.counters.skip(used, cause)))
+                Some(Event::Skipped(self.tally.skip(used, cause)))
             }
-            Measure::NeedMore { .. } => {
-                let copied = self.pending.fill_to(chunk.len(), chunk);
+            Measure::NeedMore { at_least } => {
+                self.pending.wait_for(at_least);
+                let copied = self.pending.fill(chunk);
                 advance(input, copied);
                 None
             }
@@ -209,28 +194,36 @@ impl Decoder {
         // refused, whatever hides behind its start byte may lie whole in the chunk.
         let mut copied = 0;
         loop {
+            if self.pending.lacks() > 0 {
+                copied += self.pending.fill(input.get(copied..).unwrap_or_default());
+                if self.pending.lacks() > 0 {
+                    advance(input, copied);
+                    return None;
+                }
+            }
             match measure(self.pending.as_slice(), self.versions) {
                 Measure::Frame(header) => {
                     advance(input, copied);
-                    let at = self.counters.frame(header);
-                    let frame = header.frame(self.pending.take(header.frame_len()));
-                    return Some(Event::Frame { at, frame });
+                    return Some(self.take_frame(header));
                 }
                 Measure::Skip { used, cause } => {
                     self.pending.give_back(copied);
-                    self.pending.take(used);
-                    return Some(Event::Skipped(self.counters.skip(used, cause)));
+                    return Some(self.take_skipped(used, cause));
                 }
-                Measure::NeedMore { at_least } => {
-                    let more = self.pending.fill_to(at_least, input.get(copied..).unwrap_or_default());
-                    copied += more;
-                    if more == 0 {
-                        advance(input, copied);
-                        return None;
-                    }
-                }
+                Measure::NeedMore { at_least } => self.pending.wait_for(at_least),
             }
         }
+    }
+
+    fn take_frame(&mut self, header: Header) -> Event<'_> {
+        let length = header.frame_len();
+        let at = self.tally.frame(length);
+        Event::Frame { at, frame: header.frame(self.pending.take(length)) }
+    }
+
+    fn take_skipped(&mut self, used: usize, cause: Cause) -> Event<'static> {
+        self.pending.take(used);
+        Event::Skipped(self.tally.skip(used, cause))
     }
 
     /// The next event at the end of the stream, or `None` once all bytes are told of.
@@ -254,17 +247,10 @@ impl Decoder {
     /// assert_eq!(decoder.finish(), None);
     /// ```
     pub fn finish(&mut self) -> Option<Event<'_>> {
-        match measure(self.pending.as_slice(), self.versions) {
-            Measure::Frame(header) => {
-                let at = self.counters.frame(header);
-                let frame = header.frame(self.pending.take(header.frame_len()));
-                Some(Event::Frame { at, frame })
-            }
-            Measure::Skip { used, cause } => {
-                self.pending.take(used);
-                Some(Event::Skipped(self.counters.skip(used, cause)))
-            }
-            Measure::NeedMore { .. } => self.skip_candidate().map(Event::Skipped),
+        // Asked twice rather than kept: an event borrows the decoder.
+        match self.skip_candidate() {
+            Some(skipped) => Some(Event::Skipped(skipped)),
+            None => self.more(),
         }
     }
 
@@ -295,29 +281,35 @@ impl Decoder {
     /// assert_eq!(ids, [0x56]);
     /// ```
     pub fn skip_candidate(&mut self) -> Option<Skipped> {
-        match measure(self.pending.as_slice(), self.versions) {
-            Measure::NeedMore { .. } if !self.pending.is_empty() => {
-                self.pending.take(1);
-                Some(self.counters.skip(1, Cause::Truncated))
-            }
-            _ => None,
+        if self.pending.is_empty() {
+            return None;
         }
+        if self.pending.lacks() == 0
+            && !matches!(measure(self.pending.as_slice(), self.versions), Measure::NeedMore { .. })
+        {
+            return None;
+        }
+        self.pending.take(1);
+        Some(self.tally.skip(1, Cause::Truncated))
     }
 
     /// Bytes taken from the input that no event has told of, at most 260 after [`next`](Self::next) returned
     /// `None`. If it did and this is not 0, a candidate waits for its bytes.
-    pub fn pending(&self) -> usize {
+    pub const fn pending(&self) -> usize {
         self.pending.len()
     }
 
     /// Where the next event will start, in bytes from the start of the stream.
     pub const fn position(&self) -> u64 {
-        self.counters.bytes()
+        self.tally.bytes()
     }
 
     /// What became of all bytes since the start or the last [`reset`](Self::reset).
+    ///
+    /// It counts in machine words: where they have 32 bits, so do the counters and the positions of events, and
+    /// begin again at 0 after 4 GiB.
     pub const fn counters(&self) -> Counters {
-        self.counters
+        self.tally.counters()
     }
 
     /// The versions that are accepted.
@@ -328,6 +320,7 @@ impl Decoder {
     /// Accepts `versions` from the next byte on that no event has told of.
     pub const fn set_versions(&mut self, versions: Versions) {
         self.versions = versions;
+        self.pending.look_again();
     }
 
     /// Forgets the pending bytes and the counters and starts a new stream at position 0.
@@ -336,6 +329,7 @@ impl Decoder {
     }
 }
 
+#[inline]
 fn advance(input: &mut &[u8], count: usize) {
     *input = input.get(count..).unwrap_or_default();
 }

@@ -52,12 +52,14 @@
 //! ```
 
 pub mod checksum;
+mod counters;
 mod decoder;
 mod encode;
 mod pending;
 mod scan;
 
-pub use decoder::{Counters, Decoder, Event, Skipped};
+pub use counters::Counters;
+pub use decoder::{Decoder, Event, Skipped};
 pub use encode::{EncodeFrameError, append, encode_into, encode_with};
 pub use scan::{Cause, Scan, scan};
 

@@ -117,14 +117,15 @@ impl Header {
     }
 }
 
+/// Judges what stands at the start of `buf`.
+#[inline]
 pub(super) fn measure(buf: &[u8], versions: Versions) -> Measure {
     let refuse = |cause| Measure::Skip { used: 1, cause };
     let Some((&start, rest)) = buf.split_first() else {
         return Measure::NeedMore { at_least: 1 };
     };
     let Some(version) = versions.of_start_byte(start) else {
-        let run = buf.iter().position(|&byte| versions.of_start_byte(byte).is_some());
-        return Measure::Skip { used: run.unwrap_or(buf.len()), cause: Cause::NoStartByte };
+        return Measure::Skip { used: noise(buf, versions), cause: Cause::NoStartByte };
     };
     let (id, size, sum, body) = match *rest {
         [] => return Measure::NeedMore { at_least: 2 },
@@ -146,6 +147,11 @@ pub(super) fn measure(buf: &[u8], versions: Versions) -> Measure {
         _ => return Measure::NeedMore { at_least: header.frame_len() },
     };
     if intact { Measure::Frame(header) } else { refuse(Cause::PayloadChecksum) }
+}
+
+/// How many bytes stand before the next start byte.
+fn noise(buf: &[u8], versions: Versions) -> usize {
+    buf.iter().position(|&byte| versions.of_start_byte(byte).is_some()).unwrap_or(buf.len())
 }
 
 #[cfg(test)]

@@ -65,7 +65,7 @@ fn what_cannot_be_waited_for_is_no_usage() {
         (&["--timeout", "18446744073709551615", "info"], "--timeout"),
         (&["--baud", "0", "info"], "--baud"),
         (&["stream", "--count", "0"], "--count"),
-        (&["control", "angle", "--pitch", "1", "--speed", "-5"], "0.122 to 4000 deg/s"),
+        (&["control", "angle", "--pitch", "1", "--speed", "-5"], "0.13 to 4000"),
         (&["sim", "--tcp", "nowhere"], "127.0.0.1:4001"),
     ] {
         let output = common::sbgc().env("SBGC_PORT", "sim").args(arguments).output().unwrap();
@@ -90,7 +90,10 @@ fn a_place_that_does_not_fit_is_named_once() {
 
 #[test]
 fn a_board_that_refuses_is_told_from_one_that_is_silent() {
-    let output = run(&["--port", "sim", "stream", "--data", "MAIN_IMU_STATE"]);
+    // 251 bytes of data: with its frame that is more than the board's buffer.
+    let data = "SYSTEM_POWER_STATE,RC_CHANNELS,Z_VECTOR_H_VECTOR,SCRIPT_VARS_FLOAT,SCRIPT_VARS_INT16,\
+                AHRS_DEBUG_INFO,EXT_TARGET_LIMIT,RC_DATA,ENCODER_RAW24,IMU_ANGLES_RAD";
+    let output = run(&["--port", "sim", "stream", "--data", data]);
     assert_eq!(output.status.code(), Some(4), "{}", stderr(&output));
     let message = stderr(&output);
     assert!(message.contains("CMD_DATA_STREAM_INTERVAL: the board refused with error "), "{message}");

@@ -1,18 +1,55 @@
-//! The board: its line, its time, and what it does when.
+//! The board: its ports, its time, and what it does when.
 
+use std::collections::VecDeque;
 use std::time::Duration;
 
 use bytes::Bytes;
+use sbgc_proto::CommandId;
+use sbgc_proto::commands::{PortAndDirection, RcSource, SetDebugPort, SystemSubError};
 use sbgc_proto::frame::Version;
+use sbgc_proto::wire::PerAxis;
 
-use super::answers::{Packet, Reply};
+use super::answers;
 use super::config::Config;
-use super::line::{Line, LineCounters};
-use super::machine::Machine;
+use super::eeprom::Eeprom;
+use super::line::{Line, LineCounters, Received};
+use super::machine::{Call, Machine};
 use super::motion::Motion;
+use super::reply::{Packet, Reply};
 
 /// The board works through its queue once in this time.
 pub const POLL: Duration = Duration::from_millis(8);
+
+/// How long the bootloader waits for new firmware before it starts the board again.
+const BOOTLOADER: Duration = Duration::from_secs(3);
+
+/// How many commands are remembered.
+const REMEMBERED: usize = 64;
+
+/// The longest payload that a debug port can forward.
+const FORWARDED: usize = 251;
+
+/// A command that the board has taken.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TakenCommand {
+    /// When it was carried out.
+    pub time: Duration,
+    /// The port it came on, counted from 0.
+    pub port: u8,
+    /// Its id.
+    pub id: CommandId,
+    /// Its payload.
+    pub payload: Vec<u8>,
+}
+
+/// One of the board's ports.
+#[derive(Debug)]
+struct Port {
+    line: Line,
+    /// The version of the last command.
+    version: Version,
+    open: bool,
+}
 
 /// A simulated board, as plain state: it does no input or output and looks at no clock.
 ///
@@ -31,43 +68,100 @@ pub const POLL: Duration = Duration::from_millis(8);
 /// board.advance(start + Duration::from_millis(8));
 /// assert_eq!(board.take_output()[..4], [0x3E, 86, 18, 104]);
 /// ```
+///
+/// It has one port; [`connect`](Self::connect) adds more, so that several hosts can share it.
 #[derive(Debug)]
 pub struct Board {
-    line: Line,
+    ports: Vec<Port>,
     machine: Machine,
     now: Duration,
-    /// The version of the last command.
-    version: Version,
-    /// When it resets.
-    reset_at: Option<Duration>,
+    /// When it resets, and for how long it is deaf then.
+    reset_at: Option<(Duration, Duration)>,
     /// Until when it is deaf.
     booting_until: Duration,
     resets: u64,
+    taken: VecDeque<TakenCommand>,
 }
 
 impl Board {
     /// A board that has just started and listens.
     pub fn new(config: Config) -> Self {
+        let eeprom = Eeprom::new(config.eeprom_size);
+        Self::start(config, eeprom)
+    }
+
+    /// A board with the EEPROM of an earlier one: its parameters, files and calibrations. `None` if the image is too
+    /// small to be one.
+    ///
+    /// ```
+    /// use sbgc_host::sim::{Board, Config};
+    ///
+    /// let image = Board::new(Config::default()).eeprom().to_vec();
+    /// assert!(Board::with_eeprom(Config::default(), image).is_some());
+    /// assert!(Board::with_eeprom(Config::default(), vec![0; 16]).is_none());
+    /// ```
+    pub fn with_eeprom(config: Config, image: Vec<u8>) -> Option<Self> {
+        Eeprom::from_image(image).map(|eeprom| Self::start(config, eeprom))
+    }
+
+    fn start(config: Config, eeprom: Eeprom) -> Self {
+        let port = Port { line: Line::new(config.bit_rate), version: Version::V1, open: true };
         Self {
-            line: Line::new(config.bit_rate),
-            machine: Machine::new(config),
+            ports: vec![port],
+            machine: Machine::new(config, eeprom),
             now: Duration::ZERO,
-            version: Version::V1,
             reset_at: None,
             booting_until: Duration::ZERO,
             resets: 0,
+            taken: VecDeque::new(),
         }
+    }
+
+    /// Adds a port, or reuses one that was given back, and returns its number. At most 255 are open at once.
+    pub fn connect(&mut self) -> Option<u8> {
+        let free = self.ports.iter().position(|port| !port.open);
+        let index = free.unwrap_or(self.ports.len());
+        let number = u8::try_from(index).ok().filter(|number| *number < u8::MAX)?;
+        let rate = self.machine.config().bit_rate;
+        let port = Port { line: Line::new(rate), version: Version::V1, open: true };
+        match self.ports.get_mut(index) {
+            Some(place) => *place = port,
+            None => self.ports.push(port),
+        }
+        Some(number)
+    }
+
+    /// Gives a port back: what is on its way is lost, and its streams end. Motion goes on.
+    pub fn disconnect(&mut self, port: u8) {
+        if let Some(port) = self.ports.get_mut(usize::from(port)) {
+            port.open = false;
+            port.line.reset();
+        }
+        self.machine.streams.drop_port(port);
+        self.machine.debug_ports.remove(&port);
     }
 
     /// Puts bytes of the host on the line at `now`.
     pub fn receive(&mut self, now: Duration, bytes: &[u8]) {
+        self.receive_on(0, now, bytes);
+    }
+
+    /// Puts bytes of a host on the line of a port at `now`.
+    pub fn receive_on(&mut self, port: u8, now: Duration, bytes: &[u8]) {
         self.advance(now);
-        self.line.carry_in(self.now, bytes);
+        if let Some(port) = self.ports.get_mut(usize::from(port)) {
+            port.line.carry_in(self.now, bytes);
+        }
     }
 
     /// Bytes of the host that are still on the line. Who drives the board should not let them grow without bound.
     pub fn unreceived(&self) -> usize {
-        self.line.coming()
+        self.unreceived_on(0)
+    }
+
+    /// Bytes of a host that are still on the line of a port.
+    pub fn unreceived_on(&self, port: u8) -> usize {
+        self.ports.get(usize::from(port)).map_or(0, |port| port.line.coming())
     }
 
     /// Does everything that happens up to `now`, each thing at its time.
@@ -76,21 +170,30 @@ impl Board {
             self.now = time;
             self.machine.motion.advance(time);
             self.happen(time);
-            self.line.carry_out(time);
+            self.carry_out(time);
         }
         self.now = self.now.max(now);
         self.machine.motion.advance(self.now);
-        self.line.carry_out(self.now);
+        self.carry_out(self.now);
+    }
+
+    fn carry_out(&mut self, now: Duration) {
+        for port in &mut self.ports {
+            port.line.carry_out(now);
+        }
     }
 
     /// When something happens next that the host could notice; always later than the last
     /// [`advance`](Self::advance).
     pub fn next_event(&self) -> Option<Duration> {
+        let lines = self.ports.iter().filter(|port| port.open).map(|port| &port.line);
+        let busy = lines.clone().any(Line::is_busy) || self.machine.wants_poll();
+        let out = lines.filter_map(Line::next_out).min();
         [
-            self.line.next_out(),
-            (self.line.is_busy() || self.machine.wants_poll()).then(|| next_multiple(self.now, POLL)),
+            out,
+            busy.then(|| next_multiple(self.now, POLL)),
             self.machine.streams.next(),
-            self.reset_at,
+            self.reset_at.map(|(time, _)| time),
         ]
         .into_iter()
         .flatten()
@@ -101,14 +204,30 @@ impl Board {
 
     /// What has arrived at the host since the last call.
     pub fn take_output(&mut self) -> Bytes {
-        let output = self.line.take_gone();
-        self.line.carry_out(self.now);
+        self.take_output_of(0)
+    }
+
+    /// What has arrived at the host of a port since the last call.
+    pub fn take_output_of(&mut self, port: u8) -> Bytes {
+        let Some(port) = self.ports.get_mut(usize::from(port)) else { return Bytes::new() };
+        let output = port.line.take_gone();
+        port.line.carry_out(self.now);
         output
     }
 
-    /// What became of the messages so far.
+    /// What became of the messages of the first port so far.
     pub fn counters(&self) -> LineCounters {
-        self.line.counters()
+        self.counters_of(0)
+    }
+
+    /// What became of the messages of a port so far.
+    pub fn counters_of(&self, port: u8) -> LineCounters {
+        self.ports.get(usize::from(port)).map(|port| port.line.counters()).unwrap_or_default()
+    }
+
+    /// The last commands that the board has taken, the newest last.
+    pub fn last_commands(&self) -> impl Iterator<Item = &TakenCommand> {
+        self.taken.iter()
     }
 
     /// How often the board was reset.
@@ -121,12 +240,78 @@ impl Board {
         &self.machine.motion
     }
 
-    fn happen(&mut self, time: Duration) {
-        if self.reset_at.is_some_and(|at| at <= time) {
-            self.reset(time);
+    /// The EEPROM: everything that outlives a reset.
+    pub fn eeprom(&self) -> &[u8] {
+        self.machine.parameters.eeprom.image()
+    }
+
+    /// A number that grows with each change of the EEPROM.
+    pub fn eeprom_changes(&self) -> u64 {
+        self.machine.parameters.eeprom.changes()
+    }
+
+    /// The pulse of a servo output in microseconds, counted from 0; `None` while it floats.
+    pub fn servo(&self, output: usize) -> Option<u16> {
+        self.machine.pins.servo(output)
+    }
+
+    /// Connects an input of remote control to a signal of -1 to 1, or disconnects it.
+    ///
+    /// ```
+    /// use sbgc_host::sim::{Board, Config};
+    /// use sbgc_proto::commands::RcSource;
+    ///
+    /// let mut board = Board::new(Config::default());
+    /// board.set_rc_input(RcSource::RC_INPUT_PITCH, Some(0.5));
+    /// ```
+    pub fn set_rc_input(&mut self, source: RcSource, signal: Option<f64>) {
+        self.machine.rc.connect(source, signal);
+        self.machine.steer(self.now);
+    }
+
+    /// Turns the frame to angles in degrees, as the one who carries it does.
+    pub fn turn_frame(&mut self, angles: PerAxis<f64>) {
+        self.machine.motion.turn_frame(angles);
+        self.machine.steer(self.now);
+    }
+
+    /// Lets the battery empty from now on, or fills it.
+    pub fn set_low_battery(&mut self, low: bool) {
+        self.machine.power.empty(low.then_some(self.now));
+    }
+
+    /// Disconnects the sensor of the camera, which is an emergency, or connects it again.
+    pub fn set_sensor(&mut self, connected: bool) {
+        self.machine.imu.connected = connected;
+        if !connected {
+            self.machine.emergency_stop(self.now, SystemSubError::ImuSensorNotResponding);
         }
-        for (version, sample) in self.machine.samples(time) {
-            self.line.send_sample(time, version, sample.id.raw(), &sample.payload);
+    }
+
+    /// Resets the board now, as its power going off and on does, with the notice that it gives before a reset of its
+    /// own.
+    pub fn reset_with_notice(&mut self) {
+        let payload = Vec::new();
+        self.send_to_all(&Packet { id: CommandId::Reset, payload });
+        self.reset_at = Some((self.now, self.machine.config().boot));
+    }
+
+    fn happen(&mut self, time: Duration) {
+        if let Some((_, deaf)) = self.reset_at.take_if(|(at, _)| *at <= time) {
+            self.reset(time, deaf);
+        }
+        if time >= self.booting_until {
+            for sample in answers::samples(&mut self.machine, time) {
+                let (to, packet) = (sample.to, sample.packet);
+                if sample.optional {
+                    if let Some(port) = self.ports.get_mut(usize::from(to.port)) {
+                        port.line.send_sample(time, to.version, packet.id.raw(), &packet.payload);
+                    }
+                    self.forward(time, to.port, true, packet.id.raw(), &packet.payload);
+                } else {
+                    self.send(time, to.port, &packet);
+                }
+            }
         }
         if is_multiple(time, POLL) {
             self.poll(time);
@@ -134,34 +319,90 @@ impl Board {
     }
 
     fn poll(&mut self, time: Duration) {
-        self.line.take_in(time, time < self.booting_until);
-        while let Some(received) = self.line.next_command() {
-            self.version = received.version;
-            let replies = self.machine.answer(time, &received);
-            let replies = replies.or_else(|refusal| refusal.replies(received.id.into()));
-            for reply in replies.unwrap_or_default() {
-                match reply {
-                    Reply::Send(packet) => self.send(time, &packet),
-                    Reply::Reset { after } => self.reset_at = Some(time.saturating_add(after)),
-                }
+        let deaf = time < self.booting_until;
+        for index in 0..self.ports.len() {
+            let Some(port) = self.ports.get_mut(index) else { continue };
+            port.line.take_in(time, deaf);
+            let number = u8::try_from(index).unwrap_or_default();
+            while let Some(received) = self.ports.get_mut(index).and_then(|port| port.line.next_command()) {
+                self.carry_out_command(time, number, &received);
             }
         }
-        for packet in self.machine.poll(time) {
-            self.send(time, &packet);
+        if !deaf {
+            for (port, reply) in answers::poll(&mut self.machine, time) {
+                self.follow(time, port, reply);
+            }
         }
     }
 
-    fn send(&mut self, time: Duration, packet: &Packet) {
-        self.line.send(time, self.version, packet.id.raw(), &packet.payload);
+    fn carry_out_command(&mut self, time: Duration, port: u8, received: &Received) {
+        if let Some(port) = self.ports.get_mut(usize::from(port)) {
+            port.version = received.version;
+        }
+        self.forward(time, port, false, received.id, &received.payload);
+        if self.taken.len() >= REMEMBERED {
+            self.taken.pop_front();
+        }
+        let (id, payload) = (received.id.into(), received.payload.clone());
+        self.taken.push_back(TakenCommand { time, port, id, payload });
+        let call =
+            Call { now: time, port, version: received.version, id: received.id, payload: &received.payload };
+        for reply in answers::answer(&mut self.machine, &call).unwrap_or_default() {
+            self.follow(time, port, reply);
+        }
     }
 
-    fn reset(&mut self, time: Duration) {
-        self.reset_at = None;
+    fn follow(&mut self, time: Duration, port: u8, reply: Reply) {
+        match reply {
+            Reply::Send(packet) => self.send(time, port, &packet),
+            Reply::Reset { after } => {
+                self.reset_at = Some((time.saturating_add(after), self.machine.config().boot));
+            }
+            Reply::Boot { after } => self.reset_at = Some((time.saturating_add(after), BOOTLOADER)),
+        }
+    }
+
+    fn send(&mut self, time: Duration, port: u8, packet: &Packet) {
+        if let Some(port) = self.ports.get_mut(usize::from(port)).filter(|port| port.open) {
+            port.line.send(time, port.version, packet.id.raw(), &packet.payload);
+        }
+        self.forward(time, port, true, packet.id.raw(), &packet.payload);
+    }
+
+    fn send_to_all(&mut self, packet: &Packet) {
+        for port in 0..self.ports.len() {
+            self.send(self.now, u8::try_from(port).unwrap_or_default(), packet);
+        }
+    }
+
+    /// Sends a copy of a message of one port to the debug ports.
+    fn forward(&mut self, time: Duration, from: u8, out: bool, id: u8, payload: &[u8]) {
+        let [low, high, ..] = time.as_millis().to_le_bytes();
+        let watching = self.machine.debug_ports.iter().filter(|(port, filter)| {
+            **port != from && !answers::is_left_out(**filter, id) && payload.len() <= FORWARDED
+        });
+        let watching: Vec<u8> = watching.map(|(port, _)| *port).collect();
+        for port in watching {
+            let copy = SetDebugPort {
+                time_ms: u16::from_le_bytes([low, high]),
+                port_and_dir: PortAndDirection::default().with_port(from).with_direction(out),
+                cmd_id: id.into(),
+                payload,
+            };
+            if let (Ok(copy), Some(port)) = (Packet::of(&copy), self.ports.get_mut(usize::from(port))) {
+                port.line.send_sample(time, port.version, copy.id.raw(), &copy.payload);
+            }
+        }
+    }
+
+    fn reset(&mut self, time: Duration, deaf: Duration) {
         self.resets += 1;
-        self.line.reset();
+        for port in &mut self.ports {
+            port.line.reset();
+            port.version = Version::V1;
+        }
         self.machine.reset();
-        self.version = Version::V1;
-        self.booting_until = time.saturating_add(self.machine.config().boot);
+        self.booting_until = time.saturating_add(deaf);
     }
 }
 

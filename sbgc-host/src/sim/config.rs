@@ -3,9 +3,9 @@
 use std::time::Duration;
 
 use sbgc_proto::units::{BoardVersion, FirmwareVersion};
-use sbgc_proto::wire::PerAxis;
 
-use super::motion::Limits;
+/// From this version on the board knows everything that is published.
+const NEW: FirmwareVersion = FirmwareVersion::new(2, 73, 0);
 
 /// What kind of board is simulated, and the state it starts in.
 ///
@@ -19,29 +19,29 @@ use super::motion::Limits;
 pub struct Config {
     /// Version of the board.
     pub board: BoardVersion,
-    /// Version of the firmware. It is only told: the simulated board behaves as 2.73 does.
+    /// Version of the firmware. Before 2.73 the board does not know commands, forms and flags that came later; from
+    /// 2.73 on it knows everything that is published, up to 2.74.
     pub firmware: FirmwareVersion,
     /// Number of motors: with 2 the yaw axis neither moves nor counts, with 1 roll does not either.
     pub axes: u8,
-    /// Bits a second of the line, ten for each byte; `None` for a line like USB that is never the bottleneck.
+    /// Bits per second of the line, ten for each byte; `None` for a line like USB that is never the bottleneck.
     pub bit_rate: Option<u32>,
-    /// Whether the motors are on after start.
+    /// Whether the motors are on after the start, unless the parameters say otherwise.
     pub motors_on: bool,
     /// How long the board is deaf after a reset.
     pub boot: Duration,
-    /// How fast each axis moves where a command does not say.
-    pub limits: PerAxis<Limits>,
     /// The profile that is active after the first start, 0 to 4.
     pub profile: u8,
     /// Blocks of parameters that replace the ones the board would have from the factory.
     pub parameters: Vec<StoredBlock>,
     /// Size of the EEPROM in bytes.
     pub eeprom_size: usize,
+    /// What the noise of the sensors and random faults begin with; a run with the same seed repeats itself.
+    pub seed: u64,
 }
 
 impl Default for Config {
     fn default() -> Self {
-        let limits = Limits { speed: 60.0, acceleration: 300.0 };
         Self {
             board: BoardVersion(36),
             firmware: FirmwareVersion::new(2, 73, 5),
@@ -49,11 +49,20 @@ impl Default for Config {
             bit_rate: None,
             motors_on: true,
             boot: Duration::from_millis(300),
-            limits: PerAxis { roll: limits, pitch: limits, yaw: limits },
             profile: 0,
             parameters: Vec::new(),
             eeprom_size: 32 * 1024,
+            seed: 0,
         }
+    }
+}
+
+impl Config {
+    /// Whether the firmware has what came with this version, as the specification writes it.
+    pub(super) fn has(&self, since: &str) -> bool {
+        let first = since.split(' ').next().unwrap_or_default();
+        let since = first.parse::<FirmwareVersion>();
+        self.firmware >= NEW || since.map_or(first.is_empty(), |since| self.firmware >= since)
     }
 }
 
@@ -66,4 +75,20 @@ pub struct StoredBlock {
     pub profile: u8,
     /// The payload. It has the length that the board's own block has, else it is passed over.
     pub payload: Vec<u8>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn old_firmware_has_only_what_it_came_with() {
+        let old = Config { firmware: FirmwareVersion::new(2, 68, 9), ..Config::default() };
+        for since in ["", "2.61", "2.68", "2.68b7", "2.66 (fields added later)"] {
+            assert!(old.has(since), "{since}");
+        }
+        for since in ["2.69b3", "2.70b4", "2.73.4", "2.74.2"] {
+            assert!(!old.has(since) && Config::default().has(since), "{since}");
+        }
+    }
 }

@@ -14,7 +14,7 @@ use std::time::Duration;
 use bytes::{Bytes, BytesMut};
 use sbgc_proto::frame::{self, BOARD_BUFFER, Decoder, Event, Version, Versions};
 
-/// Bytes that have left the board and that the host may leave unread before the line holds the board up.
+/// Bytes that have left the board and that the host may leave unread; what comes then is lost.
 const HOST_BUFFER: usize = 4096;
 
 /// Silence within a frame after which the board gives the frame up.
@@ -47,6 +47,10 @@ pub struct LineCounters {
     pub sent: u64,
     /// Samples of streams that were skipped because the output buffer was full.
     pub skipped_samples: u64,
+    /// The most bytes that commands have taken of the input buffer.
+    pub input_peak: usize,
+    /// Bytes that were lost because the host did not read.
+    pub unread_bytes: u64,
 }
 
 #[derive(Debug)]
@@ -158,6 +162,7 @@ impl Line {
                         self.counters.lost += 1;
                     } else {
                         self.queued_bytes += length;
+                        self.counters.input_peak = self.counters.input_peak.max(self.queued_bytes);
                         self.queue.push_back(received);
                     }
                 }
@@ -209,12 +214,15 @@ impl Line {
     /// Lets the wire carry to the host what it can up to `now`.
     pub(super) fn carry_out(&mut self, now: Duration) {
         loop {
-            let room = HOST_BUFFER.saturating_sub(self.gone.len());
-            let most = self.output.len().min(room);
+            let most = self.output.len();
             let count = carried(self.byte_time, now.saturating_sub(self.gone_until), most);
-            self.gone.extend_from_slice(&self.output.split_to(count));
+            let bytes = self.output.split_to(count);
+            // A wire carries on, whether anybody listens or not.
+            let room = HOST_BUFFER.saturating_sub(self.gone.len()).min(count);
+            self.gone.extend_from_slice(bytes.get(..room).unwrap_or_default());
+            self.counters.unread_bytes += count.saturating_sub(room) as u64;
             self.gone_until = match self.byte_time {
-                // Time in which there was nothing to carry, or nobody to take it, is lost.
+                // Time in which there was nothing to carry is lost.
                 _ if count == most => now.max(self.gone_until),
                 Some(byte_time) => self.gone_until.saturating_add(times(byte_time, count)),
                 None => now,
@@ -236,8 +244,7 @@ impl Line {
 
     /// When the host should look for bytes again.
     pub(super) fn next_out(&self) -> Option<Duration> {
-        let stuck = self.output.is_empty() || self.gone.len() >= HOST_BUFFER;
-        let byte_time = self.byte_time.filter(|_| !stuck)?;
+        let byte_time = self.byte_time.filter(|_| !self.output.is_empty())?;
         // A host does not look for each byte: a millisecond or the rest of what is there.
         let count = self.output.len().clamp(1, 10);
         Some(self.gone_until.saturating_add(times(byte_time, count)))

@@ -1,72 +1,231 @@
-//! What is in the board besides its line: settings, motion, streams.
+//! What is in the board besides its lines.
 
+use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 
-use super::answers::{Calibration, Packet};
+use sbgc_proto::commands::{
+    AdjustableVariable, DebugPortFilter, EventId, EventTypes, GeneralFlags2, MenuCommand, SystemStateFlags,
+    SystemSubError,
+};
+use sbgc_proto::frame::Version;
+
+use super::aux_motors::AuxMotors;
+use super::bus::Bus;
 use super::config::Config;
-use super::control::Steering;
+use super::eeprom::{Cell, Eeprom};
+use super::events::Happened;
+use super::imu::Imu;
 use super::motion::Motion;
-use super::parameters::Parameters;
+use super::parameters::{Parameters, Settings};
+use super::pins::Pins;
+use super::power::Power;
+use super::procedure::Procedure;
+use super::quaternion::QuatControl;
+use super::rc::RcInputs;
+use super::reply::Reply;
+use super::script::Script;
+use super::steering::Steering;
 use super::streams::Streams;
-use super::variables::Variables;
+
+/// A command as it came.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Call<'p> {
+    pub(super) now: Duration,
+    pub(super) port: u8,
+    pub(super) version: Version,
+    pub(super) id: u8,
+    pub(super) payload: &'p [u8],
+}
+
+/// A command of the menu that waits to be run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct MenuRequest {
+    pub(super) command: MenuCommand,
+    pub(super) port: u8,
+}
 
 #[derive(Debug)]
 pub(super) struct Machine {
     config: Config,
+    pub(super) parameters: Parameters,
     pub(super) motion: Motion,
     pub(super) steering: Steering,
-    pub(super) parameters: Parameters,
+    pub(super) quat: QuatControl,
     pub(super) streams: Streams,
-    pub(super) variables: Variables,
-    pub(super) eeprom: Vec<u8>,
-    /// Whether what the menu has running is to be reported when it is done.
-    pub(super) menu_runs: bool,
-    pub(super) calibration: Option<Calibration>,
+    pub(super) rc: RcInputs,
+    pub(super) imu: Imu,
+    pub(super) power: Power,
+    pub(super) pins: Pins,
+    pub(super) bus: Bus,
+    pub(super) aux: AuxMotors,
+    pub(super) procedure: Option<Procedure>,
+    pub(super) script: Option<Script>,
+    /// Commands that scripts and trigger slots have given to the menu.
+    pub(super) menu: VecDeque<MenuRequest>,
+    /// The port that is told when what the menu has running is done.
+    pub(super) menu_reports: Option<u8>,
+    /// The levels that the trigger slots had last.
+    pub(super) trigger_levels: [Option<u8>; 10],
+    /// The action that was triggered last, by slot.
+    pub(super) triggered: [u8; 10],
+    /// What has happened and was not reported yet.
+    pub(super) events: Vec<Happened>,
+    /// What is sent later, by its time.
+    pub(super) later: Vec<(Duration, u8, Reply)>,
+    /// Ports that get a copy of the traffic of the others.
+    pub(super) debug_ports: BTreeMap<u8, DebugPortFilter>,
+    /// The module of the CAN bus whose firmware is being written.
+    pub(super) flashing: Option<u8>,
+    /// The last melody or sound.
+    pub(super) last_sound: Option<u16>,
+    /// Modes that the menu turns on and off.
+    pub(super) modes: SystemStateFlags,
 }
 
 impl Machine {
-    pub(super) fn new(config: Config) -> Self {
-        let motion = Motion::new(config.limits, config.axes, config.motors_on);
-        let parameters = Parameters::new(config.profile, &config.parameters);
-        let eeprom = vec![0xFF; config.eeprom_size];
-        Self {
-            config,
-            motion,
+    pub(super) fn new(config: Config, eeprom: Eeprom) -> Self {
+        let parameters = Parameters::new(eeprom, &config);
+        let motors_on = config.motors_on && starts_with_motors(parameters.settings());
+        let mut machine = Self {
+            motion: Motion::new(config.axes, motors_on),
             steering: Steering::default(),
-            parameters,
+            quat: QuatControl::default(),
             streams: Streams::default(),
-            variables: Variables::default(),
-            eeprom,
-            menu_runs: false,
-            calibration: None,
-        }
+            rc: RcInputs::default(),
+            imu: Imu::new(config.seed),
+            power: Power::new(),
+            pins: Pins::default(),
+            bus: Bus::new(),
+            aux: AuxMotors::new(),
+            procedure: None,
+            script: None,
+            menu: VecDeque::new(),
+            menu_reports: None,
+            trigger_levels: [None; 10],
+            triggered: [0; 10],
+            events: Vec::new(),
+            later: Vec::new(),
+            debug_ports: BTreeMap::new(),
+            flashing: None,
+            last_sound: None,
+            modes: SystemStateFlags::empty(),
+            parameters,
+            config,
+        };
+        machine.apply_settings();
+        machine
     }
 
     pub(super) fn config(&self) -> &Config {
         &self.config
     }
 
-    /// Forgets what is not stored. The camera stays where it is.
+    pub(super) fn settings(&self) -> &Settings {
+        self.parameters.settings()
+    }
+
+    /// Forgets what is not stored. The camera stays where it is, and what is connected stays connected.
     pub(super) fn reset(&mut self) {
-        self.motion.restart(self.config.limits, self.config.motors_on);
+        self.parameters.start(&self.config);
+        let motors_on = self.config.motors_on && starts_with_motors(self.parameters.settings());
         self.steering = Steering::default();
+        self.quat = QuatControl::default();
         self.streams = Streams::default();
-        self.variables.reset();
-        self.menu_runs = false;
-        self.calibration = None;
+        self.rc.reset();
+        self.imu.reset();
+        self.power.reset();
+        self.pins.reset();
+        self.aux.reset();
+        self.procedure = None;
+        self.script = None;
+        self.menu.clear();
+        self.menu_reports = None;
+        self.trigger_levels = [None; 10];
+        self.triggered = [0; 10];
+        self.events.clear();
+        self.later.clear();
+        self.debug_ports.clear();
+        self.flashing = None;
+        self.modes = SystemStateFlags::empty();
+        self.motion.restart(motors_on);
+        self.apply_settings();
+    }
+
+    /// Lets parameters act that no command looks up by itself.
+    fn apply_settings(&mut self) {
+        let now = self.motion_time();
+        self.steer(now);
+    }
+
+    fn motion_time(&self) -> Duration {
+        self.motion.now()
+    }
+
+    /// Lets all sources of motion act. True if serial control has reached what it was to report.
+    pub(super) fn steer(&mut self, now: Duration) -> bool {
+        let held = self.procedure.as_ref().is_some_and(|procedure| procedure.holds);
+        self.steering.poll(now, self.parameters.settings(), &self.rc, held, &mut self.motion)
+    }
+
+    /// Whether a variable is one that the firmware knows.
+    pub(super) fn knows_variable(&self, variable: AdjustableVariable) -> bool {
+        variable.facts().is_some_and(|facts| self.config.has(facts.since))
+    }
+
+    /// Turns the motors on or off, which hosts can have reported.
+    pub(super) fn set_motors(&mut self, on: bool) {
+        if on != self.motion.motors_on() {
+            let what = if on { EventTypes::ON } else { EventTypes::OFF };
+            self.events.push(Happened::new(EventId::MotorState, what, 0));
+        }
+        self.motion.set_motors(on);
+    }
+
+    /// Whether the motors may be turned on.
+    pub(super) fn may_turn_on(&self) -> bool {
+        self.imu.connected && !self.power.is_exhausted()
+    }
+
+    /// Stops everything because of an error.
+    pub(super) fn emergency_stop(&mut self, now: Duration, cause: SystemSubError) {
+        if self.power.stop().is_none() {
+            self.events.push(Happened::new(EventId::EmergencyStop, EventTypes::ON, cause.raw().into()));
+        }
+        self.power.set_stop(now, cause);
+        self.motion.drop_tasks();
+        self.steering.finish(false);
+        self.set_motors(false);
+    }
+
+    /// Ends an emergency stop.
+    pub(super) fn end_stop(&mut self) {
+        if self.power.stop().is_some() {
+            self.power.end_stop();
+            self.events.push(Happened::new(EventId::EmergencyStop, EventTypes::OFF, 0));
+        }
+    }
+
+    /// The scale of the voltage sensor, in 1/128.
+    pub(super) fn voltage_scale(&self) -> u8 {
+        self.parameters.eeprom.cell(Cell::VoltageScale)
     }
 
     /// Whether something has to be looked at when the board next works through its queue.
     pub(super) fn wants_poll(&self) -> bool {
-        self.steering.is_waiting() || self.menu_runs || self.calibration.is_some() || self.motion.has_tasks()
+        self.steering.is_busy(self.parameters.settings(), &self.rc)
+            || self.motion.has_tasks()
+            || self.procedure.is_some()
+            || self.script.is_some()
+            || self.menu_reports.is_some()
+            || self.quat.task.is_some()
+            || self.power.is_changing()
+            || !self.imu.connected
+            || !self.menu.is_empty()
+            || !self.events.is_empty()
+            || !self.later.is_empty()
     }
+}
 
-    /// What the board says by itself.
-    pub(super) fn poll(&mut self, now: Duration) -> Vec<Packet> {
-        let reached = self.steering.poll(now, &mut self.motion);
-        let finished = self.motion.finish_tasks() && std::mem::take(&mut self.menu_runs);
-        let packets = [reached.then(Self::control_finished), finished.then(Self::menu_finished)];
-        let calibrated = self.calibration_finished(now);
-        packets.into_iter().flatten().flatten().chain(calibrated).collect()
-    }
+fn starts_with_motors(settings: &Settings) -> bool {
+    !settings.ext2.general_flags2.contains(GeneralFlags2::MOTORS_OFF_AT_STARTUP)
 }

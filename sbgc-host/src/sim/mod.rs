@@ -4,43 +4,61 @@
 //!  serve, in_process, pty, tcp        a stream and the clock
 //!       └─ Board                      plain state: bytes and time in, bytes out
 //!            ├─ Line                  framing, buffers, bit rate
-//!            └─ Machine               parameters, streams, control
-//!                 ├─ answers          what each command brings about
-//!                 └─ Motion           how the camera turns
+//!            ├─ answers               what each command brings about, a file per topic
+//!            └─ Machine               what the board is made of:
+//!                 ├─ Parameters       profiles and variables, in the Eeprom with its Files
+//!                 ├─ Motion           how the camera turns
+//!                 ├─ Steering         serial and remote control, follow mode
+//!                 └─ Imu, Power, RcInputs, Pins, Bus, Script, …
 //! ```
 //!
 //! [`Board`] is deterministic and knows no clock; [`serve`] puts it behind any stream of bytes. Each module says in
-//! its source what in it is as on a real board and what is simplified. One host at a time talks to the board: it has
-//! one port.
-//!
-//! # Simplified
-//! The frame stands still and level, so angles against it and against the ground are the same. The camera is exactly
-//! where the limits of speed and acceleration let its target be. Speed with angle goes to the angle with at most that
-//! speed; remote control is a straight line; filters and priorities are taken and not used. Parameters and adjustable
-//! variables are kept and, but for those that map remote control to angles, have no effect. A menu command that is not
-//! simulated is confirmed; any other command that is not is refused as not supported.
+//! its source what in it is as on a real board and what is simplified.
 //!
 //! # Where the protocol leaves it open
-//! The board answers in the version it was asked in. A command that it knows but whose payload has a length it does not
-//! know, that asks for what cannot be, or that it does not know at all is refused with `CMD_ERROR` in the form that
-//! begins with the command's id. A frame that stops coming is given up after 100 ms of silence.
+//! The board answers in the version it was asked in. A command whose payload has a size that it does not have is
+//! ignored. One that asks for what cannot be is refused with `CMD_ERROR` in the form that begins with the command's id,
+//! one that nobody knows with `ERR_UNKNOWN_COMMAND`, and one of which only the id is published with
+//! `ERR_NOT_SUPPORTED`. Commands of which sources disagree whether they are confirmed are confirmed. A frame that stops
+//! coming is given up after 100 ms of silence.
+//!
+//! # Not simulated
+//! Bridges between serial ports, compiled scripts, the encryption and refusal of protected boards, and the vibration of
+//! a real camera. The bootloader takes no firmware: after three seconds it starts the board again.
+
+#![doc = include_str!("table.md")]
 
 mod answers;
+mod aux_motors;
 mod board;
+mod bus;
 mod config;
-mod control;
+mod eeprom;
+mod events;
+mod factory;
+mod files;
+mod imu;
 mod line;
 mod machine;
 mod motion;
+mod noise;
 mod parameters;
+mod pins;
+mod power;
+mod procedure;
 #[cfg(unix)]
 mod pty;
+mod quaternion;
+mod rc;
+mod reply;
+mod script;
 mod serve;
+mod steering;
 mod streams;
 mod tcp;
 mod variables;
 
-pub use board::{Board, POLL};
+pub use board::{Board, POLL, TakenCommand};
 pub use config::{Config, StoredBlock};
 pub use line::LineCounters;
 pub use motion::{Axis, CYCLE, Goal, Limits, Motion};

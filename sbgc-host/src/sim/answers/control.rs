@@ -1,112 +1,136 @@
-//! Motion, motors, the menu and restarts.
+//! Serial control of the axes.
 
 use std::time::Duration;
 
-use sbgc_proto::CommandId;
-use sbgc_proto::commands::{
-    ConfirmData, Control, ControlConfig, ControlLegacy, ExecuteMenuFlags, MenuCommand, Reset,
-    ResetExtendedRequest, ResetFlags,
-};
+use sbgc_proto::commands::{ConfirmData, Control, ControlExt, ControlExtAxis, ControlMode, ControlModeKind};
 use sbgc_proto::wire::PerAxis;
+use sbgc_proto::{CommandId, OutgoingCommand};
 
-use super::{Packet, Refusal, Replies, Reply, confirm};
-use crate::sim::machine::Machine;
-use crate::sim::motion::Goal;
+use super::calibration;
+use crate::sim::machine::{Call, Machine};
+use crate::sim::quaternion::QuatControl;
+use crate::sim::reply::{DONE, Packet, Refusal, Replies, Reply, done, silence};
+use crate::sim::steering::Order;
 
-/// What a board that resets by itself waits after its notice.
-const RESET_NOTICE: Duration = Duration::from_secs(1);
-
-const DONE: ConfirmData = ConfirmData::U8(0);
-
-impl Machine {
-    pub(super) fn control_legacy(&mut self, now: Duration, command: &ControlLegacy) -> Replies {
-        let control_mode = [command.control_mode; 3].into();
-        self.control(now, &Control { control_mode, axes: command.axes })
-    }
-
-    pub(super) fn control(&mut self, now: Duration, command: &Control) -> Replies {
-        let remote_control = self.parameters.remote_control();
-        if self.steering.control(now, command, remote_control, &mut self.motion)? {
-            confirm(CommandId::Control, DONE)
-        } else {
-            Ok(Vec::new())
+pub(super) fn answer(
+    machine: &mut Machine,
+    call: &Call<'_>,
+    command: &OutgoingCommand<'_>,
+) -> Option<Replies> {
+    Some(match command {
+        OutgoingCommand::ControlLegacy(legacy) => {
+            let all = Control { control_mode: [legacy.control_mode; 3].into(), axes: legacy.axes };
+            control(machine, call, &all)
         }
-    }
-
-    pub(super) fn control_config(&mut self, now: Duration, config: &ControlConfig) -> Replies {
-        self.steering.configure(now, config, &mut self.motion);
-        confirm(CommandId::ControlConfig, DONE)
-    }
-
-    /// The angles that were to be reported are reached.
-    pub(in crate::sim) fn control_finished() -> Result<Packet, Refusal> {
-        Packet::confirmation(CommandId::Control, ConfirmData::U8(1))
-    }
-
-    pub(super) fn motors(&mut self, command: CommandId, on: bool) -> Replies {
-        self.motion.set_motors(on);
-        confirm(command, DONE)
-    }
-
-    /// Runs a command of the menu. One that is not listed here is confirmed and has no effect.
-    pub(super) fn menu(&mut self, command: MenuCommand, flags: ExecuteMenuFlags) -> Replies {
-        let mut replies = Vec::new();
-        if flags.contains(ExecuteMenuFlags::CONFIRM) {
-            replies.extend(confirm(CommandId::ExecuteMenu, DONE)?);
+        OutgoingCommand::Control(command) => control(machine, call, command),
+        OutgoingCommand::ControlExt(command) => control_ext(machine, call, command),
+        OutgoingCommand::ControlConfig(config) => {
+            machine.steering.configure(call.now, call.port, config);
+            machine.steer(call.now);
+            done(CommandId::ControlConfig)
         }
-        let only = |roll, pitch, yaw| PerAxis { roll, pitch, yaw };
-        let level = Some(0.0);
-        match command {
-            MenuCommand::Profile1 => self.parameters.activate(0),
-            MenuCommand::Profile2 => self.parameters.activate(1),
-            MenuCommand::Profile3 => self.parameters.activate(2),
-            MenuCommand::Profile4 => self.parameters.activate(3),
-            MenuCommand::Profile5 => self.parameters.activate(4),
-            MenuCommand::MotorOn => self.motion.set_motors(true),
-            MenuCommand::MotorOff | MenuCommand::MotorsSafeStop => self.motion.set_motors(false),
-            MenuCommand::MotorToggle | MenuCommand::MotorsSafeToggle => {
-                self.motion.set_motors(!self.motion.motors_on());
-            }
-            MenuCommand::LevelRollPitch => self.go_to(only(level, level, None)),
-            MenuCommand::LevelRoll => self.go_to(only(level, None, None)),
-            MenuCommand::LevelPitch => self.go_to(only(None, level, None)),
-            MenuCommand::CenterYaw | MenuCommand::CenterYawShortest => self.go_to(only(None, None, level)),
-            MenuCommand::HomePosition | MenuCommand::HomePositionShortest => {
-                self.go_to(only(level, level, level));
-            }
-            MenuCommand::LookDown => self.go_to(only(None, Some(90.0), None)),
-            MenuCommand::Reset => {
-                replies.push(Reply::Send(Packet::of(&Reset {})?));
-                replies.push(Reply::Reset { after: RESET_NOTICE });
-            }
-            _ => {}
-        }
-        if flags.contains(ExecuteMenuFlags::CONFIRM_ON_FINISH) {
-            self.menu_runs = true;
-        }
-        Ok(replies)
-    }
+        _ => return None,
+    })
+}
 
-    /// What the menu had running is done.
-    pub(in crate::sim) fn menu_finished() -> Result<Packet, Refusal> {
-        Packet::confirmation(CommandId::ExecuteMenu, DONE)
-    }
+/// Where the confirmation of a command comes from; with `NO_CONFIRM` there is none.
+fn confirmed(command: CommandId, confirms: bool) -> Replies {
+    if confirms { done(command) } else { silence() }
+}
 
-    pub(super) fn reset_request(request: Option<&ResetExtendedRequest>) -> Replies {
-        let mut replies = Vec::new();
-        if request.is_some_and(|request| request.flags.contains(ResetFlags::CONFIRM)) {
-            replies.push(Reply::Send(Packet::of(&Reset {})?));
-        }
-        let delay = request.map_or(0, |request| request.delay_ms);
-        replies.push(Reply::Reset { after: Duration::from_millis(delay.into()) });
-        Ok(replies)
+fn control(machine: &mut Machine, call: &Call<'_>, command: &Control) -> Replies {
+    let modes = command.control_mode.into_array();
+    let confirms = machine.steering.confirms();
+    if modes.iter().all(|mode| mode.kind() == ControlModeKind::NoControl) {
+        machine.steering.finish(*command == Control::release());
+        machine.quat = QuatControl::default();
+        machine.steer(call.now);
+        return confirmed(CommandId::Control, confirms);
     }
+    // Before 2.68b9 the mode 0 for one axis leaves it as it is.
+    let single = machine.config().has("2.68b9");
+    let order = |(mode, axis): (ControlMode, sbgc_proto::commands::ControlAxis)| {
+        let keep = mode.kind() == ControlModeKind::NoControl && !single;
+        (!keep).then(|| Order {
+            mode: known(machine, mode),
+            speed: Some(axis.speed_in(mode).into()),
+            angle: Some(axis.angle.degrees().into()),
+            signal: axis.angle.0,
+        })
+    };
+    let mut orders = modes.into_iter().zip(command.axes.into_array()).map(order);
+    let orders = [(); 3].map(|()| orders.next().flatten());
+    tell(machine, call, CommandId::Control, orders, confirms)
+}
 
-    fn go_to(&mut self, angles: PerAxis<Option<f64>>) {
-        for (axis, angle) in self.motion.each_mut().into_iter().zip(angles.into_array()) {
-            if let Some(angle) = angle.filter(|_| axis.present) {
-                axis.task = Some(Goal::Angle { angle, speed: None });
-            }
-        }
+/// The mode as the firmware knows it: flags that came later are dropped.
+fn known(machine: &Machine, mode: ControlMode) -> ControlMode {
+    if machine.config().has("2.70") { mode } else { mode.with_mix_follow(false).with_target_precise(false) }
+}
+
+fn control_ext(machine: &mut Machine, call: &Call<'_>, command: &ControlExt) -> Replies {
+    let confirms = machine.steering.confirms();
+    let order = |axis: Option<ControlExtAxis>| axis.map(|axis| ext_order(&axis));
+    let PerAxis { roll, pitch, yaw } =
+        PerAxis { roll: order(command.roll), pitch: order(command.pitch), yaw: order(command.yaw) };
+    tell(machine, call, CommandId::ControlExt, [roll, pitch, yaw], confirms)
+}
+
+/// The step of the longer angle is not settled; here it is 2^20 per turn.
+fn ext_order(axis: &ControlExtAxis) -> Order {
+    let mode = axis.control_mode;
+    let short_speed = axis.speed.map(|speed| {
+        let fine = sbgc_proto::commands::ControlAxis::speed(speed);
+        f64::from(fine.speed_in(mode))
+    });
+    let long_speed = axis.speed_32bit.map(sbgc_proto::units::FineRate::degrees_per_second);
+    let short_angle = axis.angle.map(|angle| f64::from(angle.degrees()));
+    let long_angle = axis.angle_32bit.map(|raw| f64::from(raw) * 360.0 / 1_048_576.0);
+    let signal = axis.angle.map(|angle| angle.0);
+    let long_signal = axis.angle_32bit.map(|raw| i16::try_from(raw).unwrap_or(i16::MAX));
+    Order {
+        mode,
+        speed: short_speed.or(long_speed),
+        angle: short_angle.or(long_angle),
+        signal: signal.or(long_signal).unwrap_or_default(),
+    }
+}
+
+fn tell(
+    machine: &mut Machine,
+    call: &Call<'_>,
+    command: CommandId,
+    orders: [Option<Order>; 3],
+    confirms: bool,
+) -> Replies {
+    if !machine.steering.admits(call.port) {
+        // Another port has a higher priority: the command is taken and has no effect.
+        return confirmed(command, confirms);
+    }
+    let mut replies = confirmed(command, confirms)?;
+    if let Some(cancelled) = calibration::cancelled_by_control(machine) {
+        replies.push(cancelled);
+    }
+    if !machine.steering.tell(call.now, call.port, orders, &machine.motion) {
+        return Err(Refusal::Parameters);
+    }
+    machine.quat = QuatControl::default();
+    machine.steer(call.now);
+    Ok(replies)
+}
+
+/// Lets all sources of motion act, and reports the angles that were to be reported.
+pub(super) fn poll(machine: &mut Machine, now: Duration, replies: &mut Vec<(u8, Reply)>) {
+    let port = machine.steering.port();
+    if machine.steer(now)
+        && let Ok(packet) = Packet::confirmation(CommandId::Control, ConfirmData::U8(1))
+    {
+        replies.push((port, Reply::Send(packet)));
+    }
+    let finished = machine.motion.finish_tasks() && machine.procedure.is_none();
+    if finished && let Some(port) = machine.menu_reports.take() {
+        replies.extend(
+            Packet::confirmation(CommandId::ExecuteMenu, DONE).ok().map(|packet| (port, Reply::Send(packet))),
+        );
     }
 }

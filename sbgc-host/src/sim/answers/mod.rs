@@ -1,185 +1,144 @@
-//! What the board says to each command, one file a topic.
+//! What the board answers to each command: one file per topic, in the topics of the commands.
 //!
-//! A topic is a method of the [`Machine`] that takes the decoded command and returns what follows from it. Nothing here
-//! knows of lines, versions or queues.
+//! A topic has a function that takes a decoded command and returns what follows from it, or `None` for a command of
+//! another topic; and, where something happens later, a function that is called each time the board works through its
+//! queue. Topics know the [`Machine`] and, where they start something, the topic that runs it. Nobody knows them but
+//! the lists below.
 
+mod actions;
+mod adjustable;
 mod board;
 mod calibration;
+mod can;
 mod control;
-mod parameters;
+mod debug;
+mod ext_motors;
+mod imu;
+mod menu;
+mod params;
+mod pins;
+mod power;
+mod quaternion;
 mod realtime;
+mod scripts;
+mod storage;
 mod streams;
-mod variables;
+mod system;
+mod tuning;
 
 use std::time::Duration;
 
-use sbgc_proto::commands::{
-    CalibAcc, CalibGyro, CalibMag, Confirm, ConfirmData, Error, ErrorCode, ErrorData, ExecuteMenuFlags,
-    FailureCode, FsErrorCode, SetAdjVarsVal,
-};
-use sbgc_proto::frame::MAX_PAYLOAD;
-use sbgc_proto::wire::ToWire;
-use sbgc_proto::{CommandId, Message, OutgoingCommand};
+use sbgc_proto::commands::AutoPid2Error;
+use sbgc_proto::{CommandId, OutgoingCommand};
 
-pub(super) use calibration::Calibration;
+use super::machine::{Call, Machine};
+use super::reply::{Refusal, Replies, Reply};
 
-use super::line::Received;
-use super::machine::Machine;
+pub(super) use streams::samples;
+pub(super) use system::is_left_out;
 
-/// A message from the board.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Packet {
-    pub(super) id: CommandId,
-    pub(super) payload: Vec<u8>,
+type Answer = fn(&mut Machine, &Call<'_>, &OutgoingCommand<'_>) -> Option<Replies>;
+
+/// What the board does by itself, with the port that is told of it.
+type Poll = fn(&mut Machine, Duration, &mut Vec<(u8, Reply)>);
+
+const ANSWERS: &[Answer] = &[
+    actions::answer,
+    adjustable::answer,
+    board::answer,
+    calibration::answer,
+    can::answer,
+    control::answer,
+    debug::answer,
+    ext_motors::answer,
+    imu::answer,
+    menu::answer,
+    params::answer,
+    pins::answer,
+    quaternion::answer,
+    realtime::answer,
+    scripts::answer,
+    storage::answer,
+    streams::answer,
+    system::answer,
+    tuning::answer,
+];
+
+const POLLS: &[Poll] = &[
+    power::poll,
+    adjustable::poll,
+    scripts::poll,
+    menu::poll,
+    quaternion::poll,
+    control::poll,
+    calibration::poll,
+    tuning::poll,
+    later,
+];
+
+/// Carries out a command.
+pub(super) fn answer(machine: &mut Machine, call: &Call<'_>) -> Replies {
+    carry_out(machine, call).or_else(|refusal| refusal.replies(call.id.into()))
 }
 
-impl Packet {
-    pub(super) fn of<M: Message + ToWire>(message: &M) -> Result<Self, Refusal> {
-        Self::with(message, ())
-    }
-
-    pub(super) fn confirmation(command: CommandId, data: ConfirmData) -> Result<Self, Refusal> {
-        Self::of(&Confirm { cmd_id: command, data })
-    }
-
-    pub(super) fn with<M: Message + ToWire<C>, C>(message: &M, context: C) -> Result<Self, Refusal> {
-        let mut buffer = [0; MAX_PAYLOAD];
-        let payload = message.encode_with(context, &mut buffer).map_err(|_| Refusal::Parameters)?;
-        Ok(Self { id: M::ID, payload: payload.to_vec() })
-    }
-}
-
-/// What a command brings about outside the machine.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Reply {
-    Send(Packet),
-    /// The board resets after this time.
-    Reset {
-        after: Duration,
-    },
-}
-
-/// Why a command is not carried out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Refusal {
-    Size,
-    Parameters,
-    Unknown,
-    NotSupported,
-    State,
-    Failed,
-}
-
-impl Refusal {
-    /// The error message. Commands that deal with files have error codes of their own.
-    pub(super) fn replies(self, command: CommandId) -> Replies {
-        let code = match (FailureCode::of(command, 0), self) {
-            (FailureCode::Files(_), _) => FailureCode::Files(FsErrorCode::WrongParams),
-            (_, Self::Size) => FailureCode::General(ErrorCode::CmdSize),
-            (_, Self::Parameters) => FailureCode::General(ErrorCode::WrongParams),
-            (_, Self::Unknown) => FailureCode::General(ErrorCode::UnknownCommand),
-            (_, Self::State) => FailureCode::General(ErrorCode::WrongState),
-            (_, Self::Failed) => FailureCode::General(ErrorCode::OperationFailed),
-            (_, Self::NotSupported) => FailureCode::General(ErrorCode::NotSupported),
-        };
-        message(&Error { cmd_id: command, error_code: code, error_data: ErrorData::new(&[0; 4]) })
-    }
-}
-
-pub(super) type Replies = Result<Vec<Reply>, Refusal>;
-
-/// One message.
-pub(super) fn message<M: Message + ToWire>(message: &M) -> Replies {
-    send(Packet::of(message))
-}
-
-fn send(packet: Result<Packet, Refusal>) -> Replies {
-    Ok(vec![Reply::Send(packet?)])
-}
-
-/// A confirmation.
-pub(super) fn confirm(command: CommandId, data: ConfirmData) -> Replies {
-    send(Packet::confirmation(command, data))
-}
-
-impl Machine {
-    /// Carries out a command and says what follows from it.
-    pub(super) fn answer(&mut self, now: Duration, received: &Received) -> Replies {
-        let id = CommandId::from(received.id);
-        let (command, rest) = OutgoingCommand::decode(id, &received.payload).map_err(|_| Refusal::Size)?;
-        if !rest.is_empty() {
-            return Err(Refusal::Size);
+fn carry_out(machine: &mut Machine, call: &Call<'_>) -> Replies {
+    let id = CommandId::from(call.id);
+    let Some(command) = decoded(id, call.payload) else {
+        return Err(wrong_size(machine, id));
+    };
+    let form = command.form();
+    if let Some(info) = OutgoingCommand::ALL.iter().find(|info| info.id == id && info.form == form) {
+        if !machine.config().has(info.since) {
+            return Err(Refusal::Unknown);
         }
-        match command {
-            OutgoingCommand::BoardInfoRequest(_) | OutgoingCommand::BoardInfoExtendedRequest(_) => {
-                self.board_info()
-            }
-            OutgoingCommand::BoardInfo3Request(_) => self.board_info_3(),
-            OutgoingCommand::ReadParams3(request) => self.read_block(id, request.profile_id),
-            OutgoingCommand::ReadParamsExt(request) => self.read_block(id, request.profile_id),
-            OutgoingCommand::WriteParams3(_) => {
-                self.write_block(id, CommandId::ReadParams3, &received.payload)
-            }
-            OutgoingCommand::WriteParamsExt(_) => {
-                self.write_block(id, CommandId::ReadParamsExt, &received.payload)
-            }
-            OutgoingCommand::ReadParamsExt2(request) => self.read_block(id, request.profile_id),
-            OutgoingCommand::ReadParamsExt3(request) => self.read_block(id, request.profile_id),
-            OutgoingCommand::WriteParamsExt2(_) => {
-                self.write_block(id, CommandId::ReadParamsExt2, &received.payload)
-            }
-            OutgoingCommand::WriteParamsExt3(_) => {
-                self.write_block(id, CommandId::ReadParamsExt3, &received.payload)
-            }
-            OutgoingCommand::ReadProfileNames(_) => send(self.parameters.names()),
-            OutgoingCommand::WriteProfileNames(names) => self.write_names(names),
-            OutgoingCommand::UseDefaults(request) => self.use_defaults(request.profile_id),
-            OutgoingCommand::CalibAccSimple(_)
-            | OutgoingCommand::CalibGyroSimple(_)
-            | OutgoingCommand::CalibMagSimple(_) => self.calibrate(now, id, None),
-            OutgoingCommand::CalibAcc(CalibAcc(request))
-            | OutgoingCommand::CalibGyro(CalibGyro(request))
-            | OutgoingCommand::CalibMag(CalibMag(request)) => self.calibrate(now, id, Some(&request)),
-            OutgoingCommand::EepromReadRequest(request) => self.read_eeprom(&request),
-            OutgoingCommand::EepromWrite(write) => self.write_eeprom(&write),
-            OutgoingCommand::ControlLegacy(command) => self.control_legacy(now, &command),
-            OutgoingCommand::Control(command) => self.control(now, &command),
-            OutgoingCommand::ControlConfig(config) => self.control_config(now, &config),
-            OutgoingCommand::MotorsOn(_) => self.motors(id, true),
-            OutgoingCommand::MotorsOffSimple(_) | OutgoingCommand::MotorsOff(_) => self.motors(id, false),
-            OutgoingCommand::ExecuteMenu(menu) => self.menu(menu.cmd_id, ExecuteMenuFlags::CONFIRM),
-            OutgoingCommand::ExecuteMenuExtended(menu) => self.menu(menu.cmd_id, menu.flags),
-            OutgoingCommand::ResetRequest(_) => Self::reset_request(None),
-            OutgoingCommand::ResetExtendedRequest(request) => Self::reset_request(Some(&request)),
-            OutgoingCommand::GetAngles(_) => self.angles(),
-            OutgoingCommand::GetAnglesExt(_) => self.angles_ext(),
-            OutgoingCommand::RealtimeDataRequest(_) | OutgoingCommand::RealtimeData3Request(_) => {
-                send(self.realtime_3())
-            }
-            OutgoingCommand::RealtimeData4Request(_) => send(self.realtime_4()),
-            OutgoingCommand::RealtimeDataCustomRequest(request) => {
-                send(self.realtime_custom(now, request.flags))
-            }
-            OutgoingCommand::DataStreamInterval(request) => self.stream(now, received.version, &request),
-            OutgoingCommand::SetAdjVarsVal(SetAdjVarsVal(values)) => self.set_variables(&values),
-            OutgoingCommand::GetAdjVarsVal(request) => self.variables(&request.param_id),
-            OutgoingCommand::SaveParams3(_) => self.save_variables(None),
-            OutgoingCommand::SaveParams3Extended(request) => self.save_variables(Some(&request.adj_var_id)),
-            OutgoingCommand::DebugVarsInfo3Request(_) => self.debug_variables_info(0),
-            OutgoingCommand::DebugVarsInfo3ExtendedRequest(request) => {
-                self.debug_variables_info(request.start_idx)
-            }
-            OutgoingCommand::DebugVars3Request(_) => self.debug_variables(None),
-            OutgoingCommand::DebugVars3ExtendedRequest(request) => self.debug_variables(Some(&request)),
-            // These are never answered; that they have no effect is not seen.
-            OutgoingCommand::HelperDataLegacy(_)
-            | OutgoingCommand::HelperData(_)
-            | OutgoingCommand::ApiVirtChControl(_)
-            | OutgoingCommand::ApiVirtChHighRes(_)
-            | OutgoingCommand::BeepSound(_)
-            | OutgoingCommand::ServoOut(_) => Ok(Vec::new()),
-            OutgoingCommand::Unknown { .. } => Err(Refusal::Unknown),
-            _ => Err(Refusal::NotSupported),
+        // The finer virtual channels are 31 in the text and 32 for the vendor's library.
+        if !info.size.contains(&call.payload.len()) && id != CommandId::ApiVirtChHighRes {
+            return Err(wrong_size(machine, id));
         }
     }
+    let answers = ANSWERS.iter().find_map(|answer| answer(machine, call, &command));
+    // What is left are ids of which nobody has published the payload.
+    answers.unwrap_or(Err(match command {
+        OutgoingCommand::Unknown { .. } => Refusal::Unknown,
+        _ => Refusal::NotSupported,
+    }))
+}
+
+/// The command, if its payload has a size that the command has.
+fn decoded(id: CommandId, payload: &[u8]) -> Option<OutgoingCommand<'_>> {
+    let (command, rest) = OutgoingCommand::decode(id, payload).ok()?;
+    rest.is_empty().then_some(command)
+}
+
+/// A body whose size differs from what is expected is ignored; tuning has an error code for it.
+fn wrong_size(machine: &Machine, id: CommandId) -> Refusal {
+    match id {
+        CommandId::AutoPid2 if machine.config().has("2.70") => {
+            Refusal::Tuning(AutoPid2Error::WrongCommandSize)
+        }
+        _ if first_version(id).is_some_and(|since| !machine.config().has(since)) => Refusal::Unknown,
+        _ => Refusal::Silent,
+    }
+}
+
+/// The first version of the firmware that has the command in any form.
+fn first_version(id: CommandId) -> Option<&'static str> {
+    let forms = OutgoingCommand::ALL.iter().filter(|form| form.id == id);
+    forms.map(|form| form.since).min_by_key(|since| since.len())
+}
+
+/// What the board does by itself when it works through its queue.
+pub(super) fn poll(machine: &mut Machine, now: Duration) -> Vec<(u8, Reply)> {
+    let mut replies = Vec::new();
+    for poll in POLLS {
+        poll(machine, now, &mut replies);
+    }
+    replies
+}
+
+/// Sends what was to be sent later.
+fn later(machine: &mut Machine, now: Duration, replies: &mut Vec<(u8, Reply)>) {
+    machine.later.sort_by_key(|(time, ..)| *time);
+    let due = machine.later.iter().take_while(|(time, ..)| *time <= now).count();
+    replies.extend(machine.later.drain(..due).map(|(_, port, reply)| (port, reply)));
 }

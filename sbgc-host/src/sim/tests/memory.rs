@@ -23,15 +23,16 @@ fn blocks_keep_every_byte() {
             bench.send_raw(read, &[2]);
             let got = bench.run(ms(8)).remove(0);
             assert_eq!(got.id, read);
-            // The active profile is the board's to say.
+            // The selected sensor and the active profile are the board's to say.
             if read == 21 {
+                block[132] = 1;
                 block[133] = 3;
             }
             assert_eq!(got.payload, block);
         }
     }
     bench.send_raw(22, &[0; 133]);
-    assert_eq!(bench.run(ms(8))[0].payload[..2], [22, 1]);
+    assert_eq!(bench.run(ms(8)), [], "a body of another size is ignored");
 }
 
 #[test]
@@ -57,7 +58,7 @@ fn parameters_can_be_given() {
     let second = |bench: &mut Bench, profile: u8| {
         bench.ask_one(&ReadParamsExt { profile_id: profile.into() }).payload[1]
     };
-    assert_eq!([second(&mut bench, 1), second(&mut bench, 2)], [9, 0]);
+    assert_eq!([second(&mut bench, 1), second(&mut bench, 2)], [9, 40]);
 }
 
 #[test]

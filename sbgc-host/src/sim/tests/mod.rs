@@ -1,6 +1,7 @@
 //! The board, driven by a clock of its own and over streams.
 
 mod control;
+mod every_command;
 mod line;
 mod memory;
 mod serving;

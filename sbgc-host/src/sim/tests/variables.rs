@@ -27,7 +27,7 @@ fn variables_keep_what_is_in_their_range() {
     let mut bench = Bench::new(Config::default());
     let got = bench.ask_one(&set(&[(0, 42), (1, 7)]));
     assert_eq!(got.decoded::<Confirm>().cmd_id, CommandId::SetAdjVarsVal);
-    assert_eq!(values(&mut bench, &[1, 0, 2]), [7, 42, 0]);
+    assert_eq!(values(&mut bench, &[1, 0, 2]), [7, 42, 40]);
     // The gains of a PID end at 255; nothing is set if one is wrong.
     assert_eq!(bench.ask_one(&set(&[(0, 1), (1, 256)])).payload[..2], [31, 2]);
     assert_eq!(values(&mut bench, &[0, 1]), [42, 7]);
@@ -36,7 +36,7 @@ fn variables_keep_what_is_in_their_range() {
     bench.ask_one(&SaveParams3Extended { adj_var_id: [AdjustableVariable::from(1)].into_iter().collect() });
     bench.send(&ResetRequest {});
     bench.run(ms(400));
-    assert_eq!(values(&mut bench, &[0, 1]), [0, 7]);
+    assert_eq!(values(&mut bench, &[0, 1]), [30, 7]);
 }
 
 #[test]

@@ -7,10 +7,9 @@ use super::{
     SystemStateBlock,
 };
 use crate::commands::PackedQuaternion;
-use crate::frame::EncodeFrameError;
 use crate::units::{Acceleration, Angle, EncoderAngle, FineAngle, LongAngle, RcSignal, SensorRate};
 use crate::wire::{Float, FromWire, Layout, PerAxis, PerXyz, Reserved, ToWire, Writer, flags};
-use crate::{DecodeError, Message};
+use crate::{DecodeError, Message, OutOfRange};
 
 use self::RealtimeDataCustomFlags as Flags;
 
@@ -32,11 +31,10 @@ impl RealtimeDataCustomRequest {
     /// Asks for what `flags` choose.
     ///
     /// # Errors
-    /// If the answer would be longer than a payload can be. What a board does with such a request is unknown.
-    pub fn new(flags: RealtimeDataCustomFlags) -> Result<Self, EncodeFrameError> {
-        let length = flags.payload_len();
-        if length > 255 {
-            return Err(EncodeFrameError::PayloadTooLong { length });
+    /// When the answer would be longer than a payload can be. What a board does with such a request is not known.
+    pub fn new(flags: RealtimeDataCustomFlags) -> Result<Self, OutOfRange> {
+        if flags.payload_len() > 255 {
+            return Err(OutOfRange);
         }
         Ok(Self { flags, ..Self::default() })
     }

@@ -17,6 +17,7 @@
 //!   gimbal                 the handle
 //!   streams                data streams
 //!   motion                 moves that are waited for
+//!   proxy                  one board, several clients
 //!   capture · sim          stand apart: recordings, the simulated board
 //! ```
 //!
@@ -97,6 +98,7 @@ pub mod machine;
 mod motion;
 #[cfg(feature = "params")]
 pub mod params;
+pub mod proxy;
 #[cfg(feature = "sim")]
 pub mod sim;
 pub mod storage;

@@ -3,6 +3,7 @@
 mod danger;
 mod decode;
 mod encode;
+mod proxy;
 mod record;
 mod replay;
 mod sim;
@@ -20,6 +21,7 @@ pub(crate) enum Command {
     Replay(replay::Replay),
     Decode(decode::Decode),
     Encode(encode::Encode),
+    Proxy(proxy::Proxy),
     Sim(sim::Sim),
 }
 
@@ -30,6 +32,7 @@ impl Command {
             Command::Replay(command) => command.run(global, output).await,
             Command::Decode(command) => signals::blocking(|| command.run(output)),
             Command::Encode(command) => command.run(global, output),
+            Command::Proxy(command) => command.run(global, output).await,
             Command::Sim(command) => command.run(output).await,
         }
     }

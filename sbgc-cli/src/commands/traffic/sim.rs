@@ -41,7 +41,7 @@ pub(crate) struct Sim {
     tcp: Option<String>,
 }
 
-fn host_and_port(text: &str) -> Result<String, String> {
+pub(super) fn host_and_port(text: &str) -> Result<String, String> {
     let wanted = || String::from("expected HOST:PORT, e.g. 127.0.0.1:4001");
     let (host, port) = text.rsplit_once(':').ok_or_else(wanted)?;
     if host.is_empty() || port.parse::<u16>().is_err() {

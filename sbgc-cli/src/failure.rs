@@ -30,6 +30,14 @@ pub(crate) enum Failure {
     #[error("{0}")]
     NoBoard(Box<NoBoard>),
 
+    /// No board on any of several ports.
+    #[error("{0}")]
+    NotFound(String),
+
+    /// What a diagnosis has shown already stands for this exit code.
+    #[error("problems were found")]
+    Found(u8),
+
     /// The board, or the way to it.
     #[error(transparent)]
     Host(#[from] Error),
@@ -78,7 +86,7 @@ impl Failure {
             Failure::Output(error) if error.kind() == io::ErrorKind::BrokenPipe => return ExitCode::SUCCESS,
             // Who stops a program knows that it stopped.
             Failure::Signal(_) if !json => {}
-            Failure::Differs => {}
+            Failure::Differs | Failure::Found(_) => {}
             _ if json => {
                 talk::say(
                     json!({"error": {"kind": self.kind(), "message": self.to_string(), "code": self.code()}}),
@@ -100,13 +108,13 @@ impl Failure {
             Failure::Usage(_) => "usage",
             Failure::File { .. } => "file",
             Failure::Output(_) => "output",
-            Failure::NoBoard(_) => "no_answer",
+            Failure::NoBoard(_) | Failure::NotFound(_) => "no_answer",
             Failure::Host(error) => host(error).0,
             Failure::Params(error) => params(error).0,
             Failure::Capture(_) => "capture",
             Failure::NotConfirmed(_) => "not_confirmed",
             Failure::Signal(_) => "signal",
-            Failure::Failed(_) | Failure::Differs => "failed",
+            Failure::Failed(_) | Failure::Differs | Failure::Found(_) => "failed",
         }
     }
 
@@ -114,10 +122,11 @@ impl Failure {
     pub(crate) fn code(&self) -> u8 {
         match self {
             Failure::Usage(_) => 2,
-            Failure::NoBoard(_) => 3,
+            Failure::NoBoard(_) | Failure::NotFound(_) => 3,
             Failure::Host(error) => host(error).1,
             Failure::Params(error) => params(error).1,
             Failure::NotConfirmed(_) => 5,
+            Failure::Found(code) => *code,
             Failure::Signal(signal) => signal.code(),
             _ => 1,
         }

@@ -1,6 +1,6 @@
 //! Fields of messages as text and as JSON, from what they say of themselves.
 
-use sbgc_proto::reflect::{self, Describe, Leaf, Meaning, Raw, Scalar};
+use sbgc_proto::reflect::{self, Describe, Leaf, Meaning, Plain, Quoted, Raw, Scalar};
 use serde_json::{Map, Number, Value, json};
 
 /// One field as JSON.
@@ -29,13 +29,14 @@ pub(crate) fn value_text(leaf: &Leaf<'_>) -> String {
     match (leaf.raw, label) {
         (Raw::Bytes([]), _) => String::from("-"),
         (Raw::Bytes(bytes), _) => hex::encode(bytes),
-        (Raw::Text(text), _) => format!("{:?}", text_of(text)),
+        (Raw::Text(text), _) => Quoted(text_of(leaf, text)).to_string(),
         (Raw::Number(raw), Some(label)) if has_names(leaf) => format!("{label} ({raw})"),
         (Raw::Number(raw), Some(label)) => format!("{raw} ({label})"),
-        (Raw::Number(_), None) => {
+        (Raw::Number(raw), None) => {
             let unit = leaf.unit();
-            let number = trim_zeros(number_text(leaf));
-            if unit.is_empty() { number } else { format!("{number} {unit}") }
+            let number = if is_float(leaf) { exact_float(raw) } else { trim_zeros(number_text(leaf)) };
+            // The unit of what is not a number says nothing.
+            if unit.is_empty() || number.ends_with(')') { number } else { format!("{number} {unit}") }
         }
     }
 }
@@ -70,6 +71,20 @@ fn float_text(value: f64) -> String {
     }
 }
 
+/// A float in the fewest digits that say it exactly.
+fn exact_float(raw: i64) -> String {
+    let bits = u32::try_from(raw).unwrap_or_default();
+    let value = f32::from_bits(bits);
+    if value.is_nan() {
+        // Which of them is in the bits.
+        format!("NaN ({bits:#010x})")
+    } else if value == 0.0 || value.is_infinite() || (1e-4..1e9).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
 fn trim_zeros(number: String) -> String {
     match number.trim_end_matches('0').trim_end_matches('.') {
         _ if !number.contains('.') || number.contains('e') => number,
@@ -80,8 +95,7 @@ fn trim_zeros(number: String) -> String {
 
 fn raw_json(leaf: &Leaf<'_>) -> Value {
     match leaf.raw {
-        Raw::Bytes(bytes) => hex::encode(bytes).into(),
-        Raw::Text(text) => text_of(text).into(),
+        Raw::Bytes(bytes) | Raw::Text(bytes) => hex::encode(bytes).into(),
         Raw::Number(raw) if is_float(leaf) => {
             // JSON has no NaN; its bits are what came.
             leaf.value()
@@ -95,7 +109,7 @@ fn raw_json(leaf: &Leaf<'_>) -> Value {
 fn value_json(leaf: &Leaf<'_>) -> Value {
     match leaf.raw {
         Raw::Bytes(_) => Value::Null,
-        Raw::Text(text) => text_of(text).into(),
+        Raw::Text(text) => Plain(text_of(leaf, text)).to_string().into(),
         Raw::Number(raw) if leaf.number.is_some_and(|number| !number.is_scaled()) && !is_float(leaf) => {
             raw.into()
         }
@@ -107,9 +121,15 @@ fn is_float(leaf: &Leaf<'_>) -> bool {
     leaf.number.is_some_and(|number| number.scalar == Scalar::f32)
 }
 
-/// The text before the first zero.
-fn text_of(text: &[u8]) -> String {
-    String::from_utf8_lossy(text.split(|byte| *byte == 0).next().unwrap_or_default()).into_owned()
+/// The text without the zeros that fill up one of fixed length.
+fn text_of<'t>(leaf: &Leaf<'_>, mut text: &'t [u8]) -> &'t [u8] {
+    let has_length = leaf.size > text.len();
+    while let [rest @ .., 0] = text
+        && !has_length
+    {
+        text = rest;
+    }
+    text
 }
 
 /// The fields of `message` as members of `object`: path to value or name.
@@ -125,7 +145,7 @@ pub(crate) fn add_to_object<M: Describe>(object: &mut Map<String, Value>, messag
 pub(crate) fn add_leaf(object: &mut Map<String, Value>, leaf: &Leaf<'_>) {
     let value = match (leaf.label(), leaf.raw) {
         (Some(label), Raw::Number(_)) if has_names(leaf) => label.to_string().into(),
-        (_, Raw::Number(_)) => value_json(leaf),
+        (_, Raw::Number(_) | Raw::Text(_)) => value_json(leaf),
         _ => raw_json(leaf),
     };
     object.insert(leaf.path.to_string(), value);
@@ -152,6 +172,6 @@ pub(crate) fn that_say_something<M: Describe>(message: &M) -> (Vec<(String, Stri
 /// Whether a value is shown by its name alone.
 fn has_names(leaf: &Leaf<'_>) -> bool {
     leaf.number.is_some_and(|number| {
-        matches!(number.meaning, Meaning::Enum(_) | Meaning::Special(_) | Meaning::Shown(_))
+        matches!(number.meaning, Meaning::Enum(_) | Meaning::Special(_) | Meaning::Shown { .. })
     })
 }

@@ -52,8 +52,7 @@ pub(crate) fn degrees(text: &str) -> Result<f32, String> {
 
 /// An angle that control commands can carry.
 pub(crate) fn angle(text: &str) -> Result<Angle, String> {
-    Angle::try_from_degrees(degrees(text)?)
-        .map_err(|_| format!("{text} is out of range; expected -720 to 719.97 degrees"))
+    Angle::try_from_degrees(degrees(text)?).map_err(|error| format!("{text} is {error}"))
 }
 
 /// A speed in degrees per second: `20`, `-5deg/s`.
@@ -69,7 +68,7 @@ pub(crate) fn degrees_per_second(text: &str) -> Result<f32, String> {
 /// A speed that control commands can carry, of either direction.
 pub(crate) fn rate(text: &str) -> Result<ControlRate, String> {
     ControlRate::try_from_degrees_per_second(degrees_per_second(text)?)
-        .map_err(|_| format!("{text} is out of range; expected -4000 to 4000 degrees per second"))
+        .map_err(|error| format!("{text} is {error}"))
 }
 
 /// A number of 32 bits, decimal or hexadecimal after `0x`.

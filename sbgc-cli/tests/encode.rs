@@ -33,11 +33,15 @@ fn without_a_form_the_default_one_is_built() {
 #[test]
 fn mistakes_are_named() {
     for (arguments, expected) in [
-        (&["encode", "NOTHING"][..], "\"NOTHING\" is no outgoing command"),
-        (&["encode", "READ_PARAMS", "profil=1"], "profil=1: no such field; there are profile_id"),
-        (&["encode", "READ_PARAMS", "profile_id=300"], "profile_id=300: out of range, which is 0 to 255"),
+        (&["encode", "NOTHING"][..], "unknown outgoing command \"NOTHING\""),
+        (&["encode", "CMD_READ_PARMAS"], "did you mean READ_PARAMS"),
+        (&["encode", "READ_PARAMS", "profil=1"], "unknown field \"profil\"; did you mean profile_id?"),
+        (&["encode", "CONTROL", "axes.pich.angle=1"], "unknown part \"pich\"; did you mean pitch?"),
+        (&["encode", "READ_PARAMS", "profile_id=300"], "profile_id=300: out of range; expected 0 to 255"),
+        (&["encode", "READ_PARAMS", "profile_id=1.5"], "1.5: the field cannot hold this value exactly"),
+        (&["encode", "CONTROL", "axes.yaw.angle=721"], "out of range; expected -720 to 719.978 deg"),
         (&["encode", "READ_PARAMS", "profile_id"], "expected FIELD=VALUE, got \"profile_id\""),
-        (&["encode", "CONTROL", "--form", "other"], "no form \"other\"; there are legacy, extended"),
+        (&["encode", "CONTROL", "--form", "other"], "no form \"other\"; available: legacy, extended"),
     ] {
         let output = run(arguments);
         assert_eq!(output.status.code(), Some(2), "{arguments:?}");
@@ -45,27 +49,28 @@ fn mistakes_are_named() {
     }
 }
 
-/// The field as an argument that gives it back.
+#[test]
+fn values_outside_of_their_documented_range_are_taken_with_a_warning() {
+    let output = run(&["--protocol", "1", "encode", "I2C_READ_REG_BUF", "data_len=0"]);
+    assert_eq!(stdout(&output), "3E 28 03 2B 00 00 00 00\n");
+    assert_eq!(stderr(&output), "warning: data_len=0: out of range; expected 1 to 255 byte\n");
+    let output = run(&["encode", "I2C_READ_REG_BUF", "data_len=256"]);
+    assert_eq!(output.status.code(), Some(2), "the wire cannot hold it");
+}
+
+/// The field as an argument that gives it back: what is printed as its value, or else its raw number or bytes.
 fn argument(field: &Value) -> String {
-    let value = match (&field["type"], &field["value"]) {
-        (Value::String(kind), _) if kind == "bytes" => field["raw"].as_str().unwrap().to_owned(),
-        (_, Value::String(text)) => text.clone(),
-        // The data of a confirmation has a width of its own, which hex digits tell.
-        _ if field["spec"] == "DATA" && field["raw"].is_u64() => {
-            let width = 2 * usize::try_from(field["size"].as_u64().unwrap()).unwrap();
-            format!("{:#0width$x}", field["raw"].as_u64().unwrap(), width = width + 2)
-        }
-        (_, Value::Null) => field["raw"].as_str().unwrap().to_owned(),
-        (_, number) => number.to_string(),
-    };
+    let printed = if field["value"].is_null() { &field["raw"] } else { &field["value"] };
+    let value = printed.as_str().map_or_else(|| printed.to_string(), str::to_owned);
     format!("{}={value}", field["path"].as_str().unwrap())
 }
 
 /// Example frames of all commands, made independently of this program.
 const VECTORS: &str = include_str!("../../sbgc-proto/tests/protocol/vectors.jsonl");
 
+/// All of them are tried without starting a program for each in the tests of the command itself.
 #[test]
-fn every_example_is_decoded_and_encoded_to_the_same_bytes() {
+fn examples_are_decoded_and_encoded_to_the_same_bytes() {
     let vectors: Vec<Value> = VECTORS.lines().filter_map(|line| serde_json::from_str(line).ok()).collect();
     assert!(vectors.len() > 400);
     let mut checked = 0;
@@ -81,7 +86,7 @@ fn every_example_is_decoded_and_encoded_to_the_same_bytes() {
         );
         let decoded = objects(&decoded);
         assert_eq!(decoded.len(), frames.len());
-        for (message, frame) in decoded.iter().zip(frames) {
+        for (message, frame) in decoded.iter().zip(frames).step_by(9) {
             assert_eq!(message["kind"], "frame", "{message}");
             let version = message["version"].to_string();
             let mut arguments = vec!["--json", "--protocol", &version, "encode", "--direction", direction];
@@ -95,5 +100,5 @@ fn every_example_is_decoded_and_encoded_to_the_same_bytes() {
             checked += 1;
         }
     }
-    assert_eq!(checked, vectors.len());
+    assert!(checked > 50);
 }

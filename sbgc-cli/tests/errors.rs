@@ -65,7 +65,7 @@ fn what_cannot_be_waited_for_is_no_usage() {
         (&["--timeout", "18446744073709551615", "info"], "--timeout"),
         (&["--baud", "0", "info"], "--baud"),
         (&["stream", "--count", "0"], "--count"),
-        (&["control", "angle", "--pitch", "1", "--speed", "-5"], "0.13 to 4000"),
+        (&["control", "angle", "--pitch", "1", "--speed", "-5"], "0.122 to 4000 deg/s"),
         (&["sim", "--tcp", "nowhere"], "127.0.0.1:4001"),
     ] {
         let output = common::sbgc().env("SBGC_PORT", "sim").args(arguments).output().unwrap();

@@ -192,22 +192,47 @@ macro_rules! declare_direction {
             pub fn walk(&self, visitor: &mut dyn crate::reflect::Visitor) -> usize {
                 match self {
                     $($(Self::$ty(message) => crate::reflect::walk(message, visitor),)*)*
-                    Self::Unknown { payload, .. } => crate::reflect::walk(payload, visitor),
+                    Self::Unknown { payload, .. } => crate::reflect::walk_payload(payload, visitor),
                 }
             }
 
-            /// Sets the field that `path` names.
+            /// Sets the field that `path` names, as [`reflect::set`](crate::reflect::set) does.
             ///
             /// # Errors
-            /// When there is no such field, or `value` is not one that it can have.
+            /// If there is no such field, or it cannot have `value`.
             pub fn set(
                 &mut self,
                 path: &str,
                 value: crate::reflect::Input<'a>,
             ) -> Result<(), crate::reflect::AssignError> {
+                crate::reflect::set(self, path, value)
+            }
+
+            /// Sets the field that `path` names to anything the wire can hold, as
+            /// [`reflect::force`](crate::reflect::force) does.
+            ///
+            /// # Errors
+            /// If there is no such field, or the wire cannot hold `value`.
+            pub fn force(
+                &mut self,
+                path: &str,
+                value: crate::reflect::Input<'a>,
+            ) -> Result<Option<crate::OutOfRange>, crate::reflect::AssignError> {
+                crate::reflect::force(self, path, value)
+            }
+        }
+
+        #[cfg(feature = "reflect")]
+        impl<'a> crate::reflect::Assign<'a> for $enum<'a> {
+            fn assign(
+                &mut self,
+                path: crate::reflect::Steps<'_>,
+                value: crate::reflect::Input<'a>,
+                field: &'static crate::reflect::FieldInfo,
+            ) -> Result<(), crate::reflect::AssignError> {
                 match self {
-                    $($(Self::$ty(message) => crate::reflect::set(message, path, value),)*)*
-                    Self::Unknown { payload, .. } => crate::reflect::set(payload, path, value),
+                    $($(Self::$ty(message) => message.assign(path, value, field),)*)*
+                    Self::Unknown { payload, .. } => crate::reflect::assign_payload(payload, path, value),
                 }
             }
         }

@@ -11,9 +11,9 @@ pub enum DecodeError {
     TooShort {
         /// The spec's name of the command.
         command: &'static str,
-        /// The fewest bytes that the message has.
+        /// Minimum length of the message.
         needed: usize,
-        /// The bytes that came.
+        /// Length of the payload.
         got: usize,
     },
     /// The payload ends within a field whose place or length varies.
@@ -22,21 +22,21 @@ pub enum DecodeError {
         command: &'static str,
         /// The spec's name of the field.
         field: &'static str,
-        /// Where in the payload the field starts.
+        /// Offset of the field in the payload.
         offset: usize,
-        /// The bytes that the field needs.
+        /// Bytes that the field needs.
         needed: usize,
-        /// The bytes that were left for it.
+        /// Bytes left for it.
         got: usize,
     },
-    /// The command has several forms, told apart by length, and none of this one.
+    /// The command has several forms, distinguished by length, and none has this length.
     NoSuchForm {
         /// The spec's name of the command.
         command: &'static str,
-        /// The bytes that came.
+        /// Length of the payload.
         got: usize,
     },
-    /// A value says of itself, or was described, to have a type that nobody knows, so that its length is not known.
+    /// A value declares an unknown type, so its length is unknown.
     UnknownType {
         /// The spec's name of the command.
         command: &'static str,
@@ -51,17 +51,18 @@ impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             DecodeError::TooShort { command, needed, got } => {
-                write!(f, "{command}: a payload of {got} bytes is too short, {needed} are needed")
+                write!(f, "{command}: payload too short: expected at least {}, got {got}", Count(*needed))
             }
             DecodeError::Truncated { command, field, offset, needed, got } => write!(
                 f,
-                "{command}: {field} at offset {offset} needs {needed} bytes, {got} are left in the payload"
+                "{command}: {field} at offset {offset} needs {}, the payload has {got} left",
+                Count(*needed)
             ),
             DecodeError::NoSuchForm { command, got } => {
-                write!(f, "{command}: no form of it has a payload of {got} bytes")
+                write!(f, "{command}: no known layout is {} long", Count(*got))
             }
             DecodeError::UnknownType { command, field, raw } => {
-                write!(f, "{command}: {field} has the type {raw}, whose length is not known")
+                write!(f, "{command}: {field} has unknown type {raw}")
             }
         }
     }
@@ -76,38 +77,33 @@ impl core::error::Error for DecodeError {}
 pub enum EncodeError {
     /// The message does not fit the buffer, or is longer than a payload can be.
     BufferTooSmall {
-        /// The bytes that are needed so far.
+        /// Bytes needed so far.
         needed: usize,
-        /// The bytes there are.
+        /// Size of the buffer.
         capacity: usize,
     },
-    /// An optional field is there, or missing, against what the fields before it say.
+    /// An optional field is present or missing, contrary to the preceding fields.
     Presence {
         /// The spec's name of the field.
         field: &'static str,
-        /// Whether it should be there.
+        /// Whether it has to be present.
         expected: bool,
     },
-    /// A field of an optional tail is there, though one before it is not.
+    /// A field of an optional tail is present although an earlier one is absent.
     Gap {
-        /// The spec's name of the field that is there.
+        /// The spec's name of the field that is present.
         field: &'static str,
-        /// The spec's name of the one that is missing.
+        /// The spec's name of the absent field.
         absent: &'static str,
     },
-    /// A list has another number of elements than the fields before it say.
+    /// A list does not have the number of elements that the preceding fields require.
     Count {
         /// The spec's name of the list.
         field: &'static str,
-        /// The elements it should have.
+        /// Expected number of elements.
         expected: usize,
-        /// The elements it has.
+        /// Actual number of elements.
         got: usize,
-    },
-    /// A text is longer than its length byte can say.
-    TextTooLong {
-        /// The bytes of the text.
-        length: usize,
     },
     /// The payload would have the length of another form of the command, which means something else.
     OtherForm {
@@ -118,7 +114,9 @@ pub enum EncodeError {
         /// The bytes of the payload.
         length: usize,
     },
-    /// The id is none that a frame can carry.
+    /// A text is longer than its length byte can express.
+    TextTooLong(TextTooLong),
+    /// The frame cannot be built.
     Frame(crate::frame::EncodeFrameError),
 }
 
@@ -126,26 +124,24 @@ impl fmt::Display for EncodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             EncodeError::BufferTooSmall { needed, capacity } => {
-                write!(f, "the message needs {needed} bytes or more, there is room for {capacity}")
+                write!(f, "buffer too small: need at least {}, have {capacity}", Count(*needed))
             }
             EncodeError::Presence { field, expected: true } => {
-                write!(f, "{field} is missing, though the fields before it say that it is there")
+                write!(f, "{field} is required by the preceding fields but missing")
             }
             EncodeError::Presence { field, expected: false } => {
-                write!(f, "{field} is there, though the fields before it say that it is not")
+                write!(f, "{field} is set but the preceding fields exclude it")
             }
             EncodeError::Gap { field, absent } => {
-                write!(f, "{field} is there, though {absent} before it is missing")
+                write!(f, "{field} requires {absent} to be set as well")
             }
             EncodeError::Count { field, expected, got } => {
-                write!(f, "{field} has {got} elements, the fields before it say {expected}")
-            }
-            EncodeError::TextTooLong { length } => {
-                write!(f, "a text of {length} bytes is too long, 255 is the most")
+                write!(f, "{field} has {got} elements, expected {expected}")
             }
             EncodeError::OtherForm { command, form, length } => {
-                write!(f, "{command}: a payload of {length} bytes is not of the form {form:?} but of another")
+                write!(f, "{command}: a payload of {} belongs to another form than {form:?}", Count(*length))
             }
+            EncodeError::TextTooLong(error) => error.fmt(f),
             EncodeError::Frame(error) => error.fmt(f),
         }
     }
@@ -159,15 +155,87 @@ impl From<crate::frame::EncodeFrameError> for EncodeError {
     }
 }
 
-/// A value that is beyond what the wire can hold.
+impl From<TextTooLong> for EncodeError {
+    fn from(error: TextTooLong) -> Self {
+        EncodeError::TextTooLong(error)
+    }
+}
+
+/// A text that is longer than its field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct OutOfRange;
+pub struct TextTooLong {
+    /// Length of the text in bytes.
+    pub length: usize,
+    /// Maximum length in bytes.
+    pub maximum: usize,
+}
+
+impl fmt::Display for TextTooLong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "text too long: {}, maximum {}", Count(self.length), self.maximum)
+    }
+}
+
+impl core::error::Error for TextTooLong {}
+
+/// A value outside of the range that a field can have.
+///
+/// ```
+/// use sbgc_proto::units::Angle;
+///
+/// let error = Angle::try_from_degrees(1000.0).unwrap_err();
+/// assert_eq!(error.minimum, -720.0);
+/// assert_eq!(error.to_string(), "out of range; expected -720 to 719.978 deg");
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct OutOfRange {
+    /// Minimum value.
+    pub minimum: f64,
+    /// Maximum value.
+    pub maximum: f64,
+    /// Unit of both; empty when they have none.
+    pub unit: &'static str,
+}
+
+impl OutOfRange {
+    /// The range of a number without unit.
+    pub(crate) const fn plain(minimum: f64, maximum: f64) -> Self {
+        Self { minimum, maximum, unit: "" }
+    }
+}
 
 impl fmt::Display for OutOfRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("the value is beyond what the wire can hold")
+        write!(f, "out of range; expected {} to {}", Limit(self.minimum), Limit(self.maximum))?;
+        if self.unit.is_empty() { Ok(()) } else { write!(f, " {}", self.unit) }
     }
 }
 
 impl core::error::Error for OutOfRange {}
+
+/// A number of bytes.
+struct Count(usize);
+
+impl fmt::Display for Count {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let plural = if self.0 == 1 { "" } else { "s" };
+        write!(f, "{} byte{plural}", self.0)
+    }
+}
+
+/// An end of a range, with at most three digits after the point.
+struct Limit(f64);
+
+impl fmt::Display for Limit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !(-1e15..=1e15).contains(&self.0) {
+            return write!(f, "{:e}", self.0);
+        }
+        #[allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, reason = "below 1e18")]
+        let is_whole = |value: f64| (value - value as i64 as f64).abs() < 1e-9;
+        let digits = [1.0, 10.0, 100.0].into_iter().position(|scale| is_whole(self.0 * scale)).unwrap_or(3);
+        write!(f, "{:.*}", digits, self.0)
+    }
+}

@@ -108,7 +108,7 @@ pub mod wire;
 pub use command::{IncomingCommand, OutgoingCommand};
 pub use command_id::{CommandId, Direction};
 pub use echo::RequestInfo;
-pub use error::{DecodeError, EncodeError, OutOfRange};
+pub use error::{DecodeError, EncodeError, OutOfRange, TextTooLong};
 pub use expected::Expected;
 pub use message::{Message, Request};
 

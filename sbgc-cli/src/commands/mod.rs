@@ -42,6 +42,7 @@
 //!   in [`signals::blocking`](crate::signals::blocking).
 
 mod around;
+mod find;
 mod look;
 mod motion;
 mod parameters;
@@ -55,6 +56,8 @@ use crate::output::Output;
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
+    #[command(flatten)]
+    Find(find::Command),
     #[command(flatten)]
     Look(look::Command),
     #[command(flatten)]
@@ -71,6 +74,7 @@ impl Command {
     /// Carries out the command.
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
         match self {
+            Command::Find(command) => command.run(global, output).await,
             Command::Look(command) => command.run(global, output).await,
             Command::Parameters(command) => command.run(global, output).await,
             Command::Motion(command) => command.run(global, output).await,
@@ -81,9 +85,10 @@ impl Command {
 }
 
 /// The groups as help lists them: a word for each, and its commands.
-pub(crate) fn groups() -> [(&'static str, clap::Command); 5] {
+pub(crate) fn groups() -> [(&'static str, clap::Command); 6] {
     let empty = || clap::Command::new("sbgc");
     [
+        ("Find", find::Command::augment_subcommands(empty())),
         ("Look", look::Command::augment_subcommands(empty())),
         ("Parameters", parameters::Command::augment_subcommands(empty())),
         ("Motion", motion::Command::augment_subcommands(empty())),

@@ -9,7 +9,7 @@ use sbgc_proto::units::{
     Angle, CoarseRcSignal, ControlRate, FineControlRate, FineRate, FirmwareVersion, RcSignal,
 };
 use sbgc_proto::wire::{PerAxis, PerXyz};
-use sbgc_proto::{CommandId, Message, OutOfRange};
+use sbgc_proto::{CommandId, Message};
 
 use crate::gimbal::encode;
 use crate::{Error, Result};
@@ -131,7 +131,8 @@ impl Setpoint {
         let mode = ControlMode::SPEED.with_high_res_speed(true);
         let setpoint = Self::of_axes(speeds, mode, SPEED_NAMES, |what, value| {
             let rate = FineControlRate::try_from_degrees_per_second(value);
-            rate.map(ControlAxis::fine_speed).map_err(out_of_range(what, value.into(), FINE_LIMIT, "deg/s"))
+            rate.map(ControlAxis::fine_speed)
+                .map_err(|_| out_of_range(what, value.into(), FINE_LIMIT, "deg/s"))
         });
         Ok(setpoint?.since("high-resolution speed", FirmwareVersion::new(2, 60, 0)))
     }
@@ -189,7 +190,7 @@ impl Setpoint {
             if value.is_finite() && f64::from(value).abs() <= SIGNAL_LIMIT {
                 Ok(ControlAxis::high_res_rc_signal(RcSignal::from_fraction(value / 500.0)))
             } else {
-                Err(out_of_range(what, value.into(), SIGNAL_LIMIT, "(full scale)")(OutOfRange))
+                Err(out_of_range(what, value.into(), SIGNAL_LIMIT, "(full scale)"))
             }
         })
     }
@@ -214,7 +215,7 @@ impl Setpoint {
     pub fn rotation(vector: PerXyz<f32>) -> Result<Self> {
         for value in [vector.x, vector.y, vector.z].map(f64::from) {
             if !value.is_finite() || value.abs() > ROTATION_LIMIT {
-                return Err(out_of_range("angular velocity", value, ROTATION_LIMIT, "rad/s")(OutOfRange));
+                return Err(out_of_range("angular velocity", value, ROTATION_LIMIT, "rad/s"));
             }
         }
         Ok(Self::quaternion(ControlQuat::speed(vector, ControlQuatFlags::empty())))
@@ -234,10 +235,9 @@ impl Setpoint {
         for (place, target) in sent.iter_mut().zip(axes.into_array()) {
             let Some(target) = target else { continue };
             let rate = |value: f64| {
-                let rate = FineRate::try_from_degrees_per_second(value).map_err(|_| OutOfRange);
-                let rate =
-                    rate.and_then(|rate| if value.abs() > SPEED_LIMIT { Err(OutOfRange) } else { Ok(rate) });
-                rate.map_err(out_of_range("speed", value, SPEED_LIMIT, "deg/s"))
+                let rate = FineRate::try_from_degrees_per_second(value).ok();
+                rate.filter(|_| value.abs() <= SPEED_LIMIT)
+                    .ok_or_else(|| out_of_range("speed", value, SPEED_LIMIT, "deg/s"))
             };
             *place = Some(ControlExtAxis {
                 control_mode: target.mode,
@@ -352,16 +352,12 @@ pub(super) fn adapted(control: Control, firmware: FirmwareVersion) -> Control {
 }
 
 fn angle(what: &'static str, value: f32) -> Result<Angle> {
-    Angle::try_from_degrees(value).map_err(out_of_range(what, value.into(), ANGLE_LIMIT, "deg"))
+    Angle::try_from_degrees(value).map_err(|_| out_of_range(what, value.into(), ANGLE_LIMIT, "deg"))
 }
 
 fn speed(what: &'static str, value: f32) -> Result<ControlRate> {
-    ControlRate::try_from_degrees_per_second(value).map_err(out_of_range(
-        what,
-        value.into(),
-        SPEED_LIMIT,
-        "deg/s",
-    ))
+    ControlRate::try_from_degrees_per_second(value)
+        .map_err(|_| out_of_range(what, value.into(), SPEED_LIMIT, "deg/s"))
 }
 
 /// The speed of a move: 0 would be that of the settings, and the direction is for the angle to say.
@@ -378,13 +374,8 @@ fn move_speed(value: f32) -> Result<ControlRate> {
     }
 }
 
-fn out_of_range(
-    what: &'static str,
-    value: f64,
-    limit: f64,
-    unit: &'static str,
-) -> impl FnOnce(OutOfRange) -> Error {
-    move |OutOfRange| Error::OutOfRange { what, value, minimum: -limit, maximum: limit, unit }
+fn out_of_range(what: &'static str, value: f64, limit: f64, unit: &'static str) -> Error {
+    Error::OutOfRange { what, value, minimum: -limit, maximum: limit, unit }
 }
 
 #[cfg(test)]

@@ -162,7 +162,7 @@ impl Parameter {
     /// The name of the value, where that alone gives the same bytes again.
     pub(super) fn name_that_reads_back(&self, bytes: &[u8]) -> Option<String> {
         let number = self.number?;
-        if matches!(number.meaning, Meaning::Plain | Meaning::Shown(_)) {
+        if matches!(number.meaning, Meaning::Plain | Meaning::Shown { .. }) {
             return None;
         }
         let label = self.label(bytes)?;

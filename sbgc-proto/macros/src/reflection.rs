@@ -67,7 +67,7 @@ pub(crate) fn of_structure(structure: &Structure) -> TokenStream {
                     let #pattern = self;
                     match path.next_name(FIELDS)? {
                         #(#arms,)*
-                        _ => ::core::result::Result::Err(crate::reflect::AssignError::NoSuchField { fields: FIELDS }),
+                        _ => ::core::result::Result::Err(crate::reflect::AssignError::NoParts),
                     }
                 }
             }

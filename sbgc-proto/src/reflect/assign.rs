@@ -1,15 +1,18 @@
 //! Setting a field by its path.
 
+use core::cell::Cell;
 use core::fmt;
 
+use super::walk::PAYLOAD;
 use super::{FieldInfo, Meaning, Number};
+use crate::OutOfRange;
 
 /// A value whose fields can be set by path.
 pub trait Assign<'a> {
     /// Sets what `path` names, or this value itself at the end of the path.
     ///
     /// # Errors
-    /// When the path names nothing here, or `value` is not one that the field can have. Nothing is changed then.
+    /// If the path names nothing here, or the field cannot have `value`. Nothing is changed then.
     fn assign(
         &mut self,
         path: Steps<'_>,
@@ -18,12 +21,58 @@ pub trait Assign<'a> {
     ) -> Result<(), AssignError>;
 }
 
-/// Sets the field of `message` that `path` names.
+/// Sets the field of `message` that `path` names, within its documented range.
+///
+/// The field becomes exactly what `value` says, except that a value with a scale goes to the nearest raw number.
 ///
 /// # Errors
-/// When there is no such field, or `value` is not one that it can have. Nothing is changed then.
-pub fn set<'a, T: Assign<'a>>(message: &mut T, path: &str, value: Input<'a>) -> Result<(), AssignError> {
-    message.assign(Steps { rest: path }, value, &FieldInfo::UNNAMED)
+/// If there is no such field, or it cannot have `value`. Nothing is changed then.
+pub fn set<'a, T: Assign<'a> + ?Sized>(
+    message: &mut T,
+    path: &str,
+    value: Input<'a>,
+) -> Result<(), AssignError> {
+    message.assign(Steps { rest: path, length: path.len(), outside: None }, value, &FieldInfo::UNNAMED)
+}
+
+/// Sets the field of `message` that `path` names to any value that the wire can hold, and returns its documented range
+/// if the value is outside of that.
+///
+/// It is meant for messages that are shown, stored or compared. Use [`set`] for what is sent to a board.
+///
+/// ```
+/// use sbgc_proto::commands::Control;
+/// use sbgc_proto::reflect::{self, Input};
+/// use sbgc_proto::units::Angle;
+///
+/// let mut control = Control::default();
+/// assert!(reflect::set(&mut control, "axes.yaw.angle", Input::Text("721")).is_err());
+/// assert_eq!(reflect::force(&mut control, "axes.yaw.angle", Input::Text("90"))?, None);
+/// assert_eq!(control.axes.yaw.angle, Angle::from_degrees(90.0));
+/// # Ok::<(), sbgc_proto::reflect::AssignError>(())
+/// ```
+///
+/// # Errors
+/// If there is no such field, or the wire cannot hold `value`. Nothing is changed then.
+pub fn force<'a, T: Assign<'a> + ?Sized>(
+    message: &mut T,
+    path: &str,
+    value: Input<'a>,
+) -> Result<Option<OutOfRange>, AssignError> {
+    let outside = Cell::new(None);
+    let steps = Steps { rest: path, length: path.len(), outside: Some(&outside) };
+    message.assign(steps, value, &FieldInfo::UNNAMED)?;
+    Ok(outside.take())
+}
+
+/// Sets the payload of a command that the protocol does not have.
+pub(crate) fn assign_payload<'a>(
+    payload: &mut &'a [u8],
+    mut path: Steps<'_>,
+    value: Input<'a>,
+) -> Result<(), AssignError> {
+    path.next_name(PAYLOAD)?;
+    payload.assign(path, value, &FieldInfo::UNNAMED)
 }
 
 /// A value for a field.
@@ -33,28 +82,24 @@ pub enum Input<'a> {
     Raw(i64),
     /// A physical value in the field's unit.
     Value(f64),
-    /// What a person types: a physical value, the name of a value, names of flags joined by `|`, a raw number in hex
-    /// after `0x`, or the text of a text field.
+    /// User input, and everything that is shown of a field.
+    ///
+    /// For a number: a physical value with or without unit, the name of a value, names of flags joined by `|`,
+    /// `NAME=VALUE` for parts of a number, a raw number in hex after `0x`, or one of these followed by another in
+    /// parentheses that says the same. For bytes: hex digits. For texts: see [`text_bytes`](super::text_bytes).
     Text(&'a str),
     /// The bytes of a field that is not a number.
     Bytes(&'a [u8]),
 }
 
-impl<'a> Input<'a> {
-    /// The bytes, and whether they are text.
-    pub(crate) fn bytes(self) -> Result<(&'a [u8], bool), AssignError> {
-        match self {
-            Input::Bytes(bytes) => Ok((bytes, false)),
-            Input::Text(text) => Ok((text.as_bytes(), true)),
-            Input::Raw(_) | Input::Value(_) => Err(AssignError::NotBytes),
-        }
-    }
-}
-
-/// The part of a path that is still to go.
+/// The part of a path that is still to go, and how values are judged at its end.
 #[derive(Clone, Copy, Debug)]
 pub struct Steps<'p> {
     rest: &'p str,
+    /// Length of the whole path.
+    length: usize,
+    /// Where values may be outside of their documented range, that range is noted here.
+    outside: Option<&'p Cell<Option<OutOfRange>>>,
 }
 
 impl<'p> Steps<'p> {
@@ -73,7 +118,8 @@ impl<'p> Steps<'p> {
     pub(crate) fn next_name(&mut self, fields: &'static [FieldInfo]) -> Result<&'static str, AssignError> {
         let step = self.next_step();
         let named = |field: &&FieldInfo| field.name == step || field.spec.eq_ignore_ascii_case(step);
-        fields.iter().find(named).map(|field| field.name).ok_or(AssignError::NoSuchField { fields })
+        let at = self.before(step);
+        fields.iter().find(named).map(|field| field.name).ok_or(AssignError::NoSuchField { at, fields })
     }
 
     /// The next step as the place of one of `names`, by name or number.
@@ -83,12 +129,41 @@ impl<'p> Steps<'p> {
         place
             .or_else(|| index(step))
             .filter(|place| *place < names.len())
-            .ok_or(AssignError::NoSuchPart { parts: names })
+            .ok_or(AssignError::NoSuchPart { at: self.before(step), parts: names })
     }
 
     /// The next step as a number in brackets, below `count`.
     pub(crate) fn next_index(&mut self, count: usize) -> Result<usize, AssignError> {
         index(self.next_step()).filter(|index| *index < count).ok_or(AssignError::NoSuchElement { count })
+    }
+
+    /// Where in the whole path `step` begins, which was just taken.
+    fn before(&self, step: &str) -> usize {
+        self.length.saturating_sub(self.rest.len() + step.len())
+    }
+
+    /// The raw number for a field of this kind at the end of the path.
+    pub(crate) fn number(
+        self,
+        number: &'static Number,
+        value: Input<'_>,
+        field: &'static FieldInfo,
+    ) -> Result<i64, AssignError> {
+        self.end()?;
+        let raw = number.raw_of(value, field)?;
+        match (number.outside(raw, field), self.outside) {
+            (Some(range), None) => Err(AssignError::OutOfRange(range)),
+            (range, Some(outside)) => {
+                outside.set(range);
+                Ok(raw)
+            }
+            (None, None) => Ok(raw),
+        }
+    }
+
+    /// Whether the path ends here.
+    pub(crate) fn is_at_end(&self) -> bool {
+        self.rest.is_empty()
     }
 
     /// Nothing may follow a leaf.
@@ -126,24 +201,28 @@ impl<'a, T: Assign<'a> + Default> Assign<'a> for Option<T> {
 pub enum AssignError {
     /// No field has that name.
     NoSuchField {
-        /// The fields that are there.
+        /// Where in the path the name begins.
+        at: usize,
+        /// The available fields.
         fields: &'static [FieldInfo],
     },
     /// The field's parts have other names.
     NoSuchPart {
-        /// The parts that are there.
+        /// Where in the path the name begins.
+        at: usize,
+        /// The available parts.
         parts: &'static [&'static str],
     },
     /// The field's elements have numbers.
     NoSuchElement {
-        /// How many there can be; they count from 0.
+        /// How many can be set; they count from 0.
         count: usize,
     },
-    /// The path goes on, but the field has no parts.
+    /// The path continues, but the field has no parts.
     NoParts,
-    /// More elements than there can be.
+    /// More elements than the field can have.
     TooMany {
-        /// How many there can be.
+        /// Maximum number of elements.
         most: usize,
     },
     /// Neither a number nor one of the names that the field knows.
@@ -151,66 +230,88 @@ pub enum AssignError {
         /// What the field knows.
         number: Number,
     },
-    /// Bytes or text are wanted.
+    /// A value that the field can only round.
+    Inexact,
+    /// The number and the names that were given for it differ.
+    Contradiction,
+    /// A number for a field of bytes or text.
     NotBytes,
+    /// A text that is not made of hex digits, for a field of bytes.
+    NotHex,
+    /// An unknown escape in a text in quotes.
+    Escape,
+    /// The field borrows its bytes, so hex digits and escapes cannot be decoded into it.
+    ///
+    /// Decode them with [`hex_bytes`](super::hex_bytes) or [`text_bytes`](super::text_bytes), and pass
+    /// [`Input::Bytes`].
+    Borrowed {
+        /// Whether the field is a text.
+        text: bool,
+    },
     /// Another number of bytes than the field has.
     Length {
-        /// The bytes it has.
+        /// Length of the field.
         expected: usize,
-        /// The bytes that were given.
+        /// Number of bytes given.
         got: usize,
     },
-    /// Beyond what the field may have.
-    OutOfRange {
-        /// The least physical value.
-        least: f64,
-        /// The greatest physical value.
-        most: f64,
-        /// Their unit, empty when they have none.
-        unit: &'static str,
-    },
+    /// Outside of the range that the field can have.
+    OutOfRange(OutOfRange),
 }
 
 impl fmt::Display for AssignError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            AssignError::NoSuchField { fields: [] } => f.write_str("no such field: there are none"),
-            AssignError::NoSuchField { fields } => {
-                f.write_str("no such field; there are ")?;
+            AssignError::NoSuchField { fields: [], .. } => f.write_str("unknown field; there are none"),
+            AssignError::NoSuchField { fields, .. } => {
+                f.write_str("unknown field; available: ")?;
                 list(f, fields.iter().map(|field| field.name))
             }
-            AssignError::NoSuchPart { parts } => {
-                f.write_str("no such part; there are ")?;
+            AssignError::NoSuchPart { parts, .. } => {
+                f.write_str("unknown part; available: ")?;
                 list(f, parts.iter().copied())
             }
+            AssignError::NoSuchElement { count: 0 } => f.write_str("no such element; there are none"),
+            AssignError::NoSuchElement { count: 1 } => {
+                f.write_str("no such element; the only valid index is [0]")
+            }
             AssignError::NoSuchElement { count } => {
-                write!(f, "no such element; say which in brackets, [0] to [{}]", count.saturating_sub(1))
+                write!(f, "no such element; valid indices are [0] to [{}]", count - 1)
             }
             AssignError::NoParts => f.write_str("this field has no parts"),
-            AssignError::TooMany { most } => write!(f, "at most {most} elements fit"),
-            AssignError::NotANumber { number } => {
-                f.write_str("not a number")?;
-                match number.meaning {
-                    Meaning::Enum(labels) | Meaning::Flags(labels) | Meaning::Special(labels) => {
-                        f.write_str(" nor one of ")?;
-                        list(f, labels.iter().map(|label| label.name))
-                    }
-                    Meaning::Bits(parts, _) => {
-                        f.write_str(", nor NAME=VALUE for some of ")?;
-                        list(f, parts.iter().map(|part| part.name))
-                    }
-                    Meaning::Plain | Meaning::Shown(_) => Ok(()),
-                }
+            AssignError::TooMany { most } => write!(f, "too many elements; maximum {most}"),
+            AssignError::NotANumber { number } => expected(f, number),
+            AssignError::Inexact => {
+                f.write_str("the field cannot hold this value exactly; expected a whole number")
             }
-            AssignError::NotBytes => f.write_str("bytes or text are wanted, not a number"),
-            AssignError::Length { expected, got } => {
-                write!(f, "{got} bytes do not fit a field of {expected}")
-            }
-            AssignError::OutOfRange { least, most, unit } => {
-                write!(f, "out of range, which is {least} to {most}")?;
-                if unit.is_empty() { Ok(()) } else { write!(f, " {unit}") }
-            }
+            AssignError::Contradiction => f.write_str("the value and the one in parentheses differ"),
+            AssignError::NotBytes => f.write_str("expected bytes or text, got a number"),
+            AssignError::NotHex => f.write_str("expected bytes as pairs of hex digits"),
+            AssignError::Escape => f.write_str(
+                r#"invalid escape; expected \\, \", \n, \r, \t, \0, \x and two hex digits, or \u{…}"#,
+            ),
+            AssignError::Borrowed { text: true } => f.write_str("expected a text without escapes"),
+            AssignError::Borrowed { text: false } => f.write_str("expected bytes, got text"),
+            AssignError::Length { expected, got } => write!(f, "expected {expected} bytes, got {got}"),
+            AssignError::OutOfRange(error) => error.fmt(f),
         }
+    }
+}
+
+impl core::error::Error for AssignError {}
+
+fn expected(f: &mut fmt::Formatter<'_>, number: &Number) -> fmt::Result {
+    f.write_str("expected a number")?;
+    match number.meaning {
+        Meaning::Enum(labels) | Meaning::Flags(labels) | Meaning::Special(labels) => {
+            f.write_str(" or one of ")?;
+            list(f, labels.iter().map(|label| label.name))
+        }
+        Meaning::Bits(parts, _) => {
+            f.write_str(", or NAME=VALUE for some of ")?;
+            list(f, parts.iter().map(|part| part.name))
+        }
+        Meaning::Plain | Meaning::Shown { .. } => Ok(()),
     }
 }
 
@@ -222,5 +323,3 @@ fn list<'n>(f: &mut fmt::Formatter<'_>, names: impl Iterator<Item = &'n str>) ->
     }
     Ok(())
 }
-
-impl core::error::Error for AssignError {}

@@ -2,7 +2,6 @@
 
 use core::fmt;
 
-use super::{AssignError, FieldInfo, Input};
 use crate::wire::Label;
 
 /// How a number stands on the wire.
@@ -45,7 +44,7 @@ impl Scalar {
         }
     }
 
-    /// The least and the greatest raw number; for a float those of its value.
+    /// The minimum and maximum raw number; for a float, those of its value.
     pub const fn limits(self) -> (f64, f64) {
         match self {
             Scalar::u8 => (0.0, 255.0),
@@ -73,8 +72,13 @@ pub enum Meaning {
     Bits(&'static [BitPart], &'static [Label]),
     /// A quantity of which a few values are names.
     Special(&'static [Label]),
-    /// Shown in a way of its own.
-    Shown(fn(i64, &mut fmt::Formatter<'_>) -> fmt::Result),
+    /// Shown and read in a way of its own.
+    Shown {
+        /// Shows a raw number.
+        show: fn(i64, &mut fmt::Formatter<'_>) -> fmt::Result,
+        /// The raw number that is shown as this text.
+        read: fn(&str) -> Option<i64>,
+    },
 }
 
 /// A number within a number.
@@ -93,7 +97,7 @@ pub struct BitPart {
 }
 
 impl BitPart {
-    const fn mask(&self) -> i64 {
+    pub(super) const fn mask(&self) -> i64 {
         (1 << self.width) - 1
     }
 }
@@ -150,10 +154,10 @@ macro_rules! reflect_number {
                     value: Input<'a>,
                     field: &'static FieldInfo,
                 ) -> Result<(), AssignError> {
-                    path.end()?;
-                    let raw = <$name as NumberType>::NUMBER.raw_of(value, field)?;
+                    let number = &<$name as NumberType>::NUMBER;
+                    let raw = path.number(number, value, field)?;
                     *self = <$name as NumberType>::from_raw_number(raw)
-                        .ok_or_else(|| <$name as NumberType>::NUMBER.out_of_range(field))?;
+                        .ok_or_else(|| number.out_of_range(None, field))?;
                     Ok(())
                 }
             }
@@ -190,109 +194,10 @@ impl Number {
             Meaning::Plain => false,
             Meaning::Enum(labels) | Meaning::Special(labels) => labels.iter().any(|label| label.value == raw),
             Meaning::Flags(_) => raw != 0,
-            Meaning::Bits(..) | Meaning::Shown(_) => true,
+            Meaning::Bits(..) | Meaning::Shown { .. } => true,
         };
         named.then_some(Names { meaning: self.meaning, raw })
     }
-
-    /// The raw number for what a person or a file says.
-    pub(crate) fn raw_of(&self, input: Input<'_>, field: &'static FieldInfo) -> Result<i64, AssignError> {
-        let raw = match input {
-            Input::Raw(raw) => raw,
-            Input::Value(value) => self.raw_of_value(value, field)?,
-            Input::Text(text) => self.raw_of_text(text.trim(), field)?,
-            Input::Bytes(_) => return Err(AssignError::NotANumber { number: self.into_static() }),
-        };
-        self.check(raw, field)?;
-        Ok(raw)
-    }
-
-    fn check(&self, raw: i64, field: &'static FieldInfo) -> Result<(), AssignError> {
-        if matches!(self.meaning, Meaning::Special(labels) if labels.iter().any(|label| label.value == raw)) {
-            return Ok(());
-        }
-        #[allow(clippy::cast_precision_loss, reason = "raw integers have 32 bits")]
-        let number = if self.scalar == Scalar::f32 { self.value(raw) } else { raw as f64 };
-        match field.range {
-            Some((least, most)) if !(least..=most).contains(&number) => Err(self.out_of_range(field)),
-            _ => Ok(()),
-        }
-    }
-
-    pub(crate) fn out_of_range(&self, field: &'static FieldInfo) -> AssignError {
-        let (least, most) = field.range.unwrap_or(self.scalar.limits());
-        let scale = self.multiply / self.divide;
-        let unit = if self.unit.is_empty() { field.unit } else { self.unit };
-        AssignError::OutOfRange { least: least * scale, most: most * scale, unit }
-    }
-
-    fn into_static(self) -> Number {
-        self
-    }
-
-    #[allow(clippy::cast_possible_truncation, reason = "checked against the limits before")]
-    fn raw_of_value(&self, value: f64, field: &'static FieldInfo) -> Result<i64, AssignError> {
-        if self.scalar == Scalar::f32 {
-            return Ok(i64::from((value as f32).to_bits()));
-        }
-        let raw = value * self.divide / self.multiply;
-        let raw = raw + if raw < 0.0 { -0.5 } else { 0.5 };
-        let (least, most) = self.scalar.limits();
-        if !(least - 0.5..most + 1.0).contains(&raw) {
-            return Err(self.out_of_range(field));
-        }
-        Ok(raw as i64)
-    }
-
-    fn raw_of_text(&self, text: &str, field: &'static FieldInfo) -> Result<i64, AssignError> {
-        if let Some(raw) = self.raw_of_name(text) {
-            return Ok(raw);
-        }
-        if let Some(raw) = hexadecimal(text) {
-            return Ok(raw);
-        }
-        match text.parse::<f64>() {
-            Ok(value) => self.raw_of_value(value, field),
-            Err(_) => Err(AssignError::NotANumber { number: self.into_static() }),
-        }
-    }
-
-    pub(crate) fn raw_of_name(&self, text: &str) -> Option<i64> {
-        match self.meaning {
-            Meaning::Enum(labels) | Meaning::Special(labels) => raw_of_label(labels, text),
-            Meaning::Flags(labels) => {
-                let mut names = text.split(['|', '+']).map(str::trim);
-                names.try_fold(0, |raw, name| {
-                    Some(raw | raw_of_label(labels, name).or_else(|| hexadecimal(name))?)
-                })
-            }
-            Meaning::Bits(parts, names) => raw_of_label(names, text).or_else(|| raw_of_parts(parts, text)),
-            Meaning::Plain | Meaning::Shown(_) => None,
-        }
-    }
-}
-
-fn raw_of_label(labels: &[Label], name: &str) -> Option<i64> {
-    labels.iter().find(|label| label.name.eq_ignore_ascii_case(name)).map(|label| label.value)
-}
-
-/// The number for `NAME=VALUE` of some parts, and hex for bits that no part takes; what is not named is zero.
-fn raw_of_parts(parts: &[BitPart], text: &str) -> Option<i64> {
-    let mut words = text.split(['|', ' ', ',']).filter(|word| !word.is_empty()).peekable();
-    words.peek()?;
-    words.try_fold(0, |raw, word| {
-        let Some((name, value)) = word.split_once('=') else { return Some(raw | hexadecimal(word)?) };
-        let part = parts.iter().find(|part| part.name.eq_ignore_ascii_case(name))?;
-        let value = raw_of_label(part.labels, value)
-            .or_else(|| value.parse().ok())
-            .filter(|value| (0..=part.mask()).contains(value))?;
-        Some((raw & !(part.mask() << part.low)) | (value << part.low))
-    })
-}
-
-fn hexadecimal(text: &str) -> Option<i64> {
-    let digits = text.strip_prefix("0x").or_else(|| text.strip_prefix("0X"))?;
-    i64::from_str_radix(digits, 16).ok()
 }
 
 struct Names {
@@ -313,7 +218,7 @@ impl fmt::Display for Names {
                 Some(label) => f.write_str(label.name),
                 None => part_values(parts, self.raw, f),
             },
-            Meaning::Shown(show) => show(self.raw, f),
+            Meaning::Shown { show, .. } => show(self.raw, f),
         }
     }
 }

@@ -18,6 +18,17 @@ pub fn walk<T: Describe>(message: &T, visitor: &mut dyn Visitor) -> usize {
     message.walk(&Place::ROOT, visitor)
 }
 
+/// Visits the payload of a command that the protocol does not have, which is one field.
+pub(crate) fn walk_payload(payload: &[u8], visitor: &mut dyn Visitor) -> usize {
+    Place::ROOT.field(PAYLOAD, 0, 0).walk(&payload, visitor)
+}
+
+/// The only field of a command that the protocol does not have.
+pub(super) const PAYLOAD: &[FieldInfo] = &[FieldInfo {
+    doc: "All bytes of the payload.",
+    ..FieldInfo::new("payload", "PAYLOAD", <&[u8] as Describe>::SHAPE)
+}];
+
 /// Is shown each leaf.
 pub trait Visitor {
     /// One number, text or block of bytes.

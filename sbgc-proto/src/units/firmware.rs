@@ -2,8 +2,6 @@
 
 use core::fmt;
 
-use crate::OutOfRange;
-
 /// The version of the firmware as the board gives it: 2305 is 2.30 beta 5, and from 2.73 on the last digit is a patch
 /// number, so that 2735 is 2.73.5.
 ///
@@ -44,23 +42,36 @@ impl fmt::Display for FirmwareVersion {
     }
 }
 
+/// A text that is not a firmware version.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ParseVersionError(());
+
+impl fmt::Display for ParseVersionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("invalid firmware version; expected MAJOR.MINOR with beta or patch number, such as 2.68b7 or 2.73.5")
+    }
+}
+
+impl core::error::Error for ParseVersionError {}
+
 /// Reads what is shown: `2.30`, `2.30b5`, `2.73.5`.
 impl core::str::FromStr for FirmwareVersion {
-    type Err = OutOfRange;
+    type Err = ParseVersionError;
 
-    fn from_str(text: &str) -> Result<Self, OutOfRange> {
-        let (major, rest) = text.trim().split_once('.').ok_or(OutOfRange)?;
-        let (minor, last) = rest.split_once(['b', '.']).unwrap_or((rest, "0"));
-        let number = |digits: &str| digits.parse::<u16>().map_err(|_| OutOfRange);
-        let (major, minor, last) = (number(major)?, number(minor)?, number(last)?);
-        if minor > 99 || last > 9 {
-            return Err(OutOfRange);
-        }
-        major
-            .checked_mul(1000)
-            .and_then(|major| major.checked_add(minor * 10 + last))
-            .map(Self)
-            .ok_or(OutOfRange)
+    fn from_str(text: &str) -> Result<Self, ParseVersionError> {
+        let number = |digits: &str| {
+            let only_digits = digits.bytes().all(|digit| digit.is_ascii_digit());
+            digits.parse::<u16>().ok().filter(|_| only_digits)
+        };
+        let read = || {
+            let (major, rest) = text.trim().split_once('.')?;
+            let (minor, last) = rest.split_once(['b', '.']).unwrap_or((rest, "0"));
+            let minor = number(minor).filter(|minor| *minor <= 99)?;
+            let last = number(last).filter(|last| *last <= 9)?;
+            number(major)?.checked_mul(1000)?.checked_add(minor * 10 + last)
+        };
+        read().map(Self).ok_or(ParseVersionError(()))
     }
 }
 
@@ -72,10 +83,13 @@ crate::wire::number_type!(FirmwareVersion: u16, read |raw| FirmwareVersion(raw),
 #[cfg(feature = "reflect")]
 impl crate::reflect::NumberType for FirmwareVersion {
     const NUMBER: crate::reflect::Number = crate::reflect::Number {
-        meaning: crate::reflect::Meaning::Shown(|raw, f| match u16::try_from(raw) {
-            Ok(raw) => fmt::Display::fmt(&FirmwareVersion(raw), f),
-            Err(_) => Ok(()),
-        }),
+        meaning: crate::reflect::Meaning::Shown {
+            show: |raw, f| match u16::try_from(raw) {
+                Ok(raw) => fmt::Display::fmt(&FirmwareVersion(raw), f),
+                Err(_) => Ok(()),
+            },
+            read: |text| text.parse::<FirmwareVersion>().ok().map(|version| version.0.into()),
+        },
         ..crate::reflect::Number::plain(crate::reflect::Scalar::u16)
     };
 

@@ -19,7 +19,7 @@ mod quantity;
 mod tests;
 
 pub use encoder::EncoderAngle;
-pub use firmware::FirmwareVersion;
+pub use firmware::{FirmwareVersion, ParseVersionError};
 
 use quantity::quantities;
 

@@ -6,17 +6,35 @@ pub(super) fn steps(value: f64, multiply: f64, divide: f64) -> f64 {
     raw + if raw < 0.0 { -0.5 } else { 0.5 }
 }
 
+/// The documentation of a unit and its scale, for quantities with and without a symbol.
+macro_rules! unit_doc {
+    ("", $($scale:tt)*) => { concat!($($scale)*) };
+    ($unit:tt, $($scale:tt)*) => { concat!("Unit: ", $unit, ". ", $($scale)*) };
+}
+pub(super) use unit_doc;
+
+/// ` in` and the unit, where there is one.
+macro_rules! in_unit {
+    ("") => {
+        ""
+    };
+    ($unit:tt) => {
+        concat!(" in ", $unit)
+    };
+}
+pub(super) use in_unit;
+
 macro_rules! quantities {
     ($(
         $(#[doc = $doc:literal])+
         $name:ident($integer:ident): $get:ident / $from:ident / $try_from:ident -> $float:ident,
-        $unit:literal, $multiply:literal / $divide:literal
+        $unit:tt, $multiply:literal / $divide:literal
         $(, special { $($(#[doc = $special_doc:literal])+ $special:ident = $special_raw:literal;)* })?
         $(, names { $($(#[doc = $name_doc:literal])+ $named:ident = $name_raw:literal;)* })?;
     )*) => { $(
         $(#[doc = $doc])+
         #[doc = ""]
-        #[doc = concat!("Unit: ", $unit, ". Value = raw × ", $multiply, " / ", $divide, ".")]
+        #[doc = quantity::unit_doc!($unit, "Value = raw × ", $multiply, " / ", $divide, ".")]
         #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
         #[cfg_attr(feature = "defmt", derive(defmt::Format))]
         pub struct $name(pub $integer);
@@ -49,32 +67,40 @@ macro_rules! quantities {
                 }
             )?
 
-            #[doc = concat!("The physical value in ", $unit, ".")]
+            #[doc = concat!("The physical value", quantity::in_unit!($unit), ".")]
             #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss,
                 reason = "the float type was chosen to hold every raw number")]
             pub fn $get(self) -> $float {
                 (f64::from(self.0) * $multiply as f64 / $divide as f64) as $float
             }
 
-            #[doc = concat!("The nearest raw number for a value in ", $unit,
-                ", at most the greatest and at least the least there is; 0 for what is not a number.")]
+            #[doc = concat!("The nearest raw number for a value", quantity::in_unit!($unit),
+                ", saturating at the limits of the wire; NaN becomes 0.")]
             #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss,
                 clippy::cast_sign_loss, reason = "the cast from float to integer is the saturation that is wanted")]
             pub fn $from(value: $float) -> Self {
                 Self(quantity::steps(f64::from(value), $multiply as f64, $divide as f64) as $integer)
             }
 
-            #[doc = concat!("The nearest raw number for a value in ", $unit, ".")]
+            #[doc = concat!("The nearest raw number for a value", quantity::in_unit!($unit), ".")]
             #[doc = ""]
             #[doc = "# Errors"]
-            #[doc = "When the value is beyond what the wire can hold, or not a number."]
+            #[doc = "If the value is NaN or beyond what the wire can hold."]
             #[allow(clippy::cast_lossless, clippy::cast_precision_loss, reason = "limits of 32 bits fit a float")]
             pub fn $try_from(value: $float) -> Result<Self, crate::OutOfRange> {
                 let raw = quantity::steps(f64::from(value), $multiply as f64, $divide as f64);
                 // The cast cuts off what is behind the point: only a whole step beyond the limits is out of them.
                 let (least, most) = ($integer::MIN as f64 - 1.0, $integer::MAX as f64 + 1.0);
-                if raw > least && raw < most { Ok(Self::$from(value)) } else { Err(crate::OutOfRange) }
+                if raw > least && raw < most { Ok(Self::$from(value)) } else { Err(Self::LIMITS) }
             }
+
+            /// The physical values of the smallest and the largest raw number.
+            #[allow(clippy::cast_lossless, clippy::cast_precision_loss, reason = "limits of 32 bits fit a float")]
+            const LIMITS: crate::OutOfRange = crate::OutOfRange {
+                minimum: $integer::MIN as f64 * $multiply as f64 / $divide as f64,
+                maximum: $integer::MAX as f64 * $multiply as f64 / $divide as f64,
+                unit: $unit,
+            };
 
             /// The raw numbers that are names rather than quantities; most types have none.
             pub const LABELS: &'static [crate::wire::Label] = &[
@@ -89,7 +115,7 @@ macro_rules! quantities {
         impl core::fmt::Display for $name {
             fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
                 core::fmt::Display::fmt(&self.$get(), f)?;
-                write!(f, " {}", $unit)
+                if $unit.is_empty() { Ok(()) } else { write!(f, " {}", $unit) }
             }
         }
 

@@ -82,7 +82,7 @@ macro_rules! groups {
                 let index = path.next_of(&[$(stringify!($part)),*])?;
                 match parts.get_mut(index) {
                     Some((_, part)) => part.assign(path, value, field),
-                    None => Err(crate::reflect::AssignError::NoSuchPart { parts: &[$(stringify!($part)),*] }),
+                    None => Err(crate::reflect::AssignError::NoParts),
                 }
             }
         }

@@ -102,10 +102,13 @@ impl<const N: usize> FixedText<N> {
     /// `text`, filled up with zeros.
     ///
     /// # Errors
-    /// When it has more than `N` bytes.
-    pub fn new(text: &str) -> Result<Self, crate::OutOfRange> {
+    /// If it has more than `N` bytes.
+    pub fn new(text: &str) -> Result<Self, crate::TextTooLong> {
         let mut bytes = [0; N];
-        bytes.get_mut(..text.len()).ok_or(crate::OutOfRange)?.copy_from_slice(text.as_bytes());
+        match bytes.get_mut(..text.len()) {
+            Some(place) => place.copy_from_slice(text.as_bytes()),
+            None => return Err(crate::TextTooLong { length: text.len(), maximum: N }),
+        }
         Ok(Self(bytes))
     }
 }
@@ -163,7 +166,7 @@ impl<'a> FromWire<'a> for Text<'a> {
 impl ToWire for Text<'_> {
     fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
         let Ok(length) = u8::try_from(self.0.len()) else {
-            return Err(EncodeError::TextTooLong { length: self.0.len() });
+            return Err(crate::TextTooLong { length: self.0.len(), maximum: 255 }.into());
         };
         out.put(&[length])?;
         out.put(self.0)
@@ -202,11 +205,12 @@ impl serde::Serialize for Text<'_> {
 mod reflection {
     use super::{Bytes, FixedText, Reserved, Text};
     use crate::reflect::{
-        Assign, AssignError, Describe, FieldInfo, Input, Place, Raw, Shape, Steps, Visitor,
+        Assign, AssignError, Describe, FieldInfo, Input, Place, Raw, Shape, Steps, Visitor, hex_bytes,
+        text_bytes,
     };
 
     macro_rules! blocks {
-        ($($block:ident: $shape:expr, $raw:path;)*) => { $(
+        ($($block:ident: $shape:expr, $raw:path, $read:ident, $shorter:literal;)*) => { $(
             impl<const N: usize> Describe for $block<N> {
                 const SHAPE: Shape = $shape;
 
@@ -222,16 +226,33 @@ mod reflection {
                     value: Input<'a>,
                     _: &'static FieldInfo,
                 ) -> Result<(), AssignError> {
-                    assign_block(&mut self.0, path, value)
+                    path.end()?;
+                    let mut block = [0; N];
+                    let got = match value {
+                        Input::Text(text) => $read(text, &mut block)?.len(),
+                        Input::Bytes(bytes) => {
+                            if let Some(place) = block.get_mut(..bytes.len()) {
+                                place.copy_from_slice(bytes);
+                            }
+                            bytes.len()
+                        }
+                        Input::Raw(_) | Input::Value(_) => return Err(AssignError::NotBytes),
+                    };
+                    // A text is filled up with zeros.
+                    if got > N || (got < N && !$shorter) {
+                        return Err(AssignError::Length { expected: N, got });
+                    }
+                    self.0 = block;
+                    Ok(())
                 }
             }
         )* };
     }
 
     blocks! {
-        Bytes: Shape::Bytes { least: N, most: N }, Raw::Bytes;
-        Reserved: Shape::Bytes { least: N, most: N }, Raw::Bytes;
-        FixedText: Shape::Text { most: N }, Raw::Text;
+        Bytes: Shape::Bytes { least: N, most: N }, Raw::Bytes, hex_bytes, false;
+        Reserved: Shape::Bytes { least: N, most: N }, Raw::Bytes, hex_bytes, false;
+        FixedText: Shape::Text { most: N }, Raw::Text, text_bytes, true;
     }
 
     impl Describe for Text<'_> {
@@ -250,17 +271,6 @@ mod reflection {
         }
     }
 
-    fn assign_block(block: &mut [u8], path: Steps<'_>, value: Input<'_>) -> Result<(), AssignError> {
-        path.end()?;
-        let (bytes, is_text) = value.bytes()?;
-        if bytes.len() > block.len() || (!is_text && bytes.len() != block.len()) {
-            return Err(AssignError::Length { expected: block.len(), got: bytes.len() });
-        }
-        block.fill(0);
-        block.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
-        Ok(())
-    }
-
     impl<'a> Assign<'a> for Text<'a> {
         fn assign(
             &mut self,
@@ -269,7 +279,19 @@ mod reflection {
             _: &'static FieldInfo,
         ) -> Result<(), AssignError> {
             path.end()?;
-            self.0 = value.bytes()?.0;
+            let bytes = match value {
+                Input::Bytes(bytes) => bytes,
+                Input::Text(text) => match text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
+                    None => text.as_bytes(),
+                    Some(quoted) if !quoted.contains(['\\', '"']) => quoted.as_bytes(),
+                    Some(_) => return Err(AssignError::Borrowed { text: true }),
+                },
+                Input::Raw(_) | Input::Value(_) => return Err(AssignError::NotBytes),
+            };
+            if bytes.len() > 255 {
+                return Err(AssignError::Length { expected: 255, got: bytes.len() });
+            }
+            self.0 = bytes;
             Ok(())
         }
     }
@@ -282,7 +304,12 @@ mod reflection {
             _: &'static FieldInfo,
         ) -> Result<(), AssignError> {
             path.end()?;
-            *self = value.bytes()?.0;
+            *self = match value {
+                Input::Bytes(bytes) => bytes,
+                Input::Text("" | "-") => &[],
+                Input::Text(_) => return Err(AssignError::Borrowed { text: false }),
+                Input::Raw(_) | Input::Value(_) => return Err(AssignError::NotBytes),
+            };
             Ok(())
         }
     }

@@ -261,13 +261,13 @@ impl<'a, T: crate::reflect::Assign<'a> + Default, const N: usize> crate::reflect
         value: crate::reflect::Input<'a>,
         field: &'static crate::reflect::FieldInfo,
     ) -> Result<(), crate::reflect::AssignError> {
-        let index = path.next_index(N)?;
-        if index >= self.0.len() {
-            self.resize(index.saturating_add(1))?;
+        // One more than there are: setting the first that is missing appends it.
+        let index = path.next_index(N.min(self.0.len().saturating_add(1)))?;
+        if let Some(element) = self.0.get_mut(index) {
+            return element.assign(path, value, field);
         }
-        match self.0.get_mut(index) {
-            Some(element) => element.assign(path, value, field),
-            None => Err(crate::reflect::AssignError::TooMany { most: N }),
-        }
+        let mut element = T::default();
+        element.assign(path, value, field)?;
+        self.0.push(element).map_err(|_| crate::reflect::AssignError::TooMany { most: N })
     }
 }

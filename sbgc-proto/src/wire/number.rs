@@ -131,7 +131,7 @@ impl TryFrom<u32> for U24 {
     fn try_from(value: u32) -> Result<Self, Self::Error> {
         match value.to_le_bytes() {
             [low, middle, high, 0] => Ok(Self([low, middle, high])),
-            _ => Err(crate::OutOfRange),
+            _ => Err(crate::OutOfRange::plain(0.0, 16_777_215.0)),
         }
     }
 }

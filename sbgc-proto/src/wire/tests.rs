@@ -182,6 +182,7 @@ fn lists_count_in_every_way() {
 mod reflection {
     use super::*;
     use crate::reflect::{self, Input};
+    use crate::wire::{FixedText, Float};
 
     fn leaves<T: reflect::Describe>(message: &T) -> Vec<String> {
         let mut leaves = Vec::new();
@@ -231,30 +232,89 @@ mod reflection {
     fn fields_are_set_by_path() {
         let mut message = Lists::default();
         for (path, value) in [
-            ("counted[1]", Input::Text("45")),
+            ("counted[0]", Input::Text("0")),
+            ("counted[1]", Input::Text("45 deg")),
             ("most", Input::Raw(8)),
             ("NAMED[0].name", Input::Text("hello")),
-            ("named[0].reserved", Input::Bytes(&[5])),
+            ("named[0].reserved", Input::Text("05")),
         ] {
             reflect::set(&mut message, path, value).unwrap();
         }
         assert_eq!(bytes(&message), [2, 0, 0, 0, 8, 8, 5, b'h', b'e', b'l', b'l', b'o', 5]);
         reflect::set(&mut message, "num", Input::Raw(0)).unwrap();
         assert_eq!(message.counted.len(), 0);
+    }
 
-        let error = |message: &mut Lists<'static>, path, value| {
-            reflect::set(message, path, value).unwrap_err().to_string()
-        };
+    #[test]
+    fn what_cannot_be_set_is_explained_and_changes_nothing() {
         let mut message = Lists::default();
-        assert_eq!(
-            error(&mut message, "mist", Input::Raw(1)),
-            "no such field; there are num, counted, most, named"
-        );
-        assert_eq!(
-            error(&mut message, "counted[4]", Input::Raw(1)),
-            "no such element; say which in brackets, [0] to [3]"
-        );
-        assert_eq!(error(&mut message, "most", Input::Text("300")), "out of range, which is 0 to 255");
-        assert_eq!(error(&mut message, "most", Input::Text("few")), "not a number");
+        reflect::set(&mut message, "named[0].name", Input::Text("hello")).unwrap();
+        for (path, value, expected) in [
+            ("mist", Input::Raw(1), "unknown field; available: num, counted, most, named"),
+            ("counted[4]", Input::Raw(1), "no such element; the only valid index is [0]"),
+            ("counted[0]", Input::Text("721"), "out of range; expected -720 to 719.978 deg"),
+            ("counted[0]", Input::Raw(40_000), "out of range; expected -720 to 719.978 deg"),
+            ("num", Input::Raw(200), "too many elements; maximum 4"),
+            ("most", Input::Text("300"), "out of range; expected 0 to 255"),
+            ("most", Input::Text("1.5"), "the field cannot hold this value exactly; expected a whole number"),
+            ("most", Input::Value(1.5), "the field cannot hold this value exactly; expected a whole number"),
+            ("most", Input::Text("few"), "expected a number"),
+            ("most", Input::Text("8 (9)"), "the value and the one in parentheses differ"),
+            ("most.more", Input::Raw(1), "this field has no parts"),
+            ("named[1].name", Input::Raw(1), "expected bytes or text, got a number"),
+            ("named[0].name", Input::Text(r#""a\x41""#), "expected a text without escapes"),
+            ("named[0].reserved", Input::Text("0z"), "expected bytes as pairs of hex digits"),
+            ("named[0].reserved", Input::Text("0102"), "expected 1 bytes, got 2"),
+        ] {
+            let before = message.clone();
+            let error = reflect::set(&mut message, path, value).unwrap_err();
+            assert_eq!(error.to_string(), expected, "{path}");
+            assert_eq!(message, before, "{path}");
+        }
+    }
+
+    #[test]
+    fn floats_are_exact_or_refused() {
+        let set = |text| {
+            let mut float = Float::default();
+            reflect::set(&mut float, "", Input::Text(text)).map(|()| float.bits())
+        };
+        for (text, bits) in [
+            ("0.1", 0.1_f32.to_bits()),
+            ("-0", 0x8000_0000),
+            ("inf", f32::INFINITY.to_bits()),
+            ("-inf", f32::NEG_INFINITY.to_bits()),
+            ("NaN", f32::NAN.to_bits()),
+            ("0x7fa00001", 0x7FA0_0001),
+            ("NaN (0x7fa00001)", 0x7FA0_0001),
+            ("3.4028235e38", f32::MAX.to_bits()),
+        ] {
+            assert_eq!(set(text).unwrap(), bits, "{text}");
+        }
+        for text in ["1e39", "-1e39", "1e-60", "0x100000000", "1 (0x7fa00001)"] {
+            assert!(set(text).is_err(), "{text}");
+        }
+        let error = set("1e39").unwrap_err().to_string();
+        assert_eq!(error, "out of range; expected -3.4028234663852886e38 to 3.4028234663852886e38");
+    }
+
+    #[test]
+    fn texts_hold_any_bytes() {
+        for bytes in
+            [&b""[..], b"plain", b"\"quoted\"", b"a\0b", b"\xFF\xC3\xA9", "gr\u{fc}n \u{202e}".as_bytes()]
+        {
+            for shown in [reflect::Quoted(bytes).to_string(), reflect::Plain(bytes).to_string()] {
+                let mut out = [0; 64];
+                assert_eq!(reflect::text_bytes(&shown, &mut out).unwrap(), bytes, "{shown}");
+                let mut text = FixedText::<64>::default();
+                reflect::set(&mut text, "", Input::Text(&shown)).unwrap();
+                assert_eq!(text.0[..bytes.len()], *bytes, "{shown}");
+            }
+        }
+        assert_eq!(reflect::Plain(b"plain").to_string(), "plain");
+        assert_eq!(reflect::Quoted(b"\xE9\n").to_string(), r#""\xe9\n""#);
+        for text in [r#""\q""#, r#""\x4""#, r#""\u{110000}""#, r#""a"b""#] {
+            assert!(reflect::text_bytes(text, &mut [0; 9]).is_err(), "{text}");
+        }
     }
 }

@@ -47,7 +47,7 @@ fn groups(number: &Number) -> Vec<(Labels, u32)> {
         labels.iter().map(|label| (label.name.to_owned(), label.value)).collect::<Labels>()
     };
     match number.meaning {
-        Meaning::Plain | Meaning::Shown(_) => Vec::new(),
+        Meaning::Plain | Meaning::Shown { .. } => Vec::new(),
         Meaning::Enum(names) | Meaning::Flags(names) | Meaning::Special(names) => vec![(labels(names), 0)],
         Meaning::Bits(parts, names) => parts
             .iter()

@@ -1,14 +1,17 @@
 //! `sbgc encode`: the inverse of `decode`, a frame from a command's name and fields.
 
+use std::cell::OnceCell;
+
 use clap::{Args, ValueEnum};
-use sbgc_proto::frame::{MAX_FRAME, Version};
-use sbgc_proto::reflect::{AssignError, Input, MessageInfo};
-use sbgc_proto::{IncomingCommand, OutgoingCommand};
+use sbgc_proto::frame::{MAX_FRAME, MAX_PAYLOAD, Version};
+use sbgc_proto::reflect::{self, AssignError, Input, MessageInfo};
+use sbgc_proto::{CommandId, Direction, EncodeError, IncomingCommand, OutOfRange, OutgoingCommand};
 use serde_json::json;
 
 use crate::failure::Failure;
 use crate::options::{Global, Protocol};
 use crate::output::Output;
+use crate::{talk, text};
 
 const EXAMPLES: &str = "Examples:
   sbgc encode BOARD_INFO
@@ -19,18 +22,21 @@ const EXAMPLES: &str = "Examples:
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Encode {
-    /// The spec's name of the command, with or without CMD_
+    /// The spec's name of the command, with or without CMD_, or its number
     name: String,
 
-    /// Fields as PATH=VALUE: values in the field's unit, names of values, hex bytes; what is not named is zero or absent
+    /// Fields as PATH=VALUE: anything that decode prints for a field; omitted fields are zero or absent
+    ///
+    /// Numbers may have a unit, values and flags may be given by name, and hex after 0x is the raw number. Bytes are hex
+    /// digits. A text is taken as it is; in double quotes, it may have escapes such as \x00.
     #[arg(value_name = "FIELD=VALUE", value_parser = assignment)]
     fields: Vec<(String, String)>,
 
-    /// Which way the message goes
+    /// Direction of the message
     #[arg(long, value_enum, default_value_t)]
     direction: Way,
 
-    /// The form, where the command has several
+    /// Form of the message, for commands with several
     #[arg(long)]
     form: Option<String>,
 }
@@ -46,7 +52,7 @@ enum Way {
 
 fn assignment(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
-        Some((path, value)) => Ok((path.trim().to_owned(), value.trim().to_owned())),
+        Some((path, value)) => Ok((path.trim().to_owned(), value.to_owned())),
         None => Err(format!("expected FIELD=VALUE, got {text:?}")),
     }
 }
@@ -57,24 +63,14 @@ impl Encode {
             Protocol::V1 => Version::V1,
             Protocol::V2 | Protocol::Auto => Version::V2,
         };
-        let info = self.message()?;
-        // Bytes are borrowed by the message, so they are made before it.
-        let bytes: Vec<Option<Vec<u8>>> = self.fields.iter().map(|(_, value)| bytes_of(value)).collect();
-        let mut buffer = [0; MAX_FRAME];
-        let frame = if self.direction == Way::Outgoing {
-            let mut message = OutgoingCommand::blank(info.id, info.form).ok_or_else(|| self.unknown())?;
-            self.assign(&bytes, |path, value| message.set(path, value))?;
-            message.encode_frame(version, &mut buffer)
-        } else {
-            let mut message = IncomingCommand::blank(info.id, info.form).ok_or_else(|| self.unknown())?;
-            self.assign(&bytes, |path, value| message.set(path, value))?;
-            message.encode_frame(version, &mut buffer)
-        };
-        let frame = frame.map_err(|error| Failure::Usage(format!("{}: {error}", info.spec)))?;
+        let Encoded { name, form, frame, warnings } = self.encode(version)?;
+        for warning in warnings {
+            talk::say(format_args!("warning: {warning}"));
+        }
         if output.is_json() {
             output.object(&json!({
-                "name": info.spec,
-                "form": info.form,
+                "name": name,
+                "form": form,
                 "version": version.number(),
                 "frame": hex::encode(frame),
             }))?;
@@ -85,57 +81,166 @@ impl Encode {
         Ok(())
     }
 
-    fn assign<'v>(
-        &'v self,
-        bytes: &'v [Option<Vec<u8>>],
-        mut set: impl FnMut(&str, Input<'v>) -> Result<(), AssignError>,
-    ) -> Result<(), Failure> {
-        for ((path, value), bytes) in self.fields.iter().zip(bytes) {
-            let result = match bytes {
-                // Hex digits may be the bytes of a block, a text, or a number.
-                Some(bytes) => match set(path, Input::Bytes(bytes)) {
-                    Err(AssignError::NotANumber { .. }) => set(path, Input::Text(value)),
-                    result => result,
-                },
-                None => set(path, Input::Text(value)),
-            };
-            result.map_err(|error| Failure::Usage(format!("{path}={value}: {error}")))?;
+    fn encode(&self, version: Version) -> Result<Encoded, Failure> {
+        // Some messages borrow their bytes, so these live longer than the message.
+        let arena: Vec<OnceCell<Vec<u8>>> = self.fields.iter().map(|_| OnceCell::new()).collect();
+        let target = self.target()?;
+        let mut message = match target {
+            Target::Form(info) => Message::blank(info),
+            Target::Unknown(id) => Some(Message::unknown(self.direction.direction(), id)),
         }
-        Ok(())
+        .ok_or_else(|| self.unknown())?;
+        let mut warnings = Vec::new();
+        for ((path, value), bytes) in self.fields.iter().zip(&arena) {
+            let outside = force(&mut message, path, value, bytes)
+                .map_err(|error| Failure::Usage(explain(path, value, &error)))?;
+            warnings.extend(outside.map(|outside| format!("{path}={value}: {outside}")));
+        }
+        let mut buffer = [0; MAX_FRAME];
+        let (name, form) = match target {
+            Target::Form(info) => (Some(info.spec), info.form),
+            Target::Unknown(_) => (None, "unknown"),
+        };
+        let frame = message
+            .encode_frame(version, &mut buffer)
+            .map_err(|error| Failure::Usage(format!("{}: {error}", name.unwrap_or(&self.name))))?;
+        Ok(Encoded { name, form, frame: frame.to_vec(), warnings })
     }
 
-    fn message(&self) -> Result<&'static MessageInfo, Failure> {
+    /// What to build.
+    fn target(&self) -> Result<Target, Failure> {
         let all = match self.direction {
             Way::Outgoing => OutgoingCommand::ALL,
             Way::Incoming => IncomingCommand::ALL,
         };
+        let id = self.name.parse().ok().filter(|id| *id != 0);
         let name = self.name.to_ascii_uppercase();
         let name = name.strip_prefix("CMD_").unwrap_or(&name);
-        let forms: Vec<_> = all
-            .iter()
-            .filter(|info| info.spec.strip_prefix("CMD_").is_some_and(|spec| spec == name))
-            .collect();
+        let is_meant = |info: &&MessageInfo| {
+            id == Some(info.id.raw()) || info.spec.strip_prefix("CMD_").is_some_and(|spec| spec == name)
+        };
+        let forms: Vec<&'static MessageInfo> = all.iter().filter(is_meant).collect();
         let wanted = self.form.as_deref();
         let found = match (forms.as_slice(), wanted) {
+            ([], None | Some("unknown")) if let Some(id) = id => return Ok(Target::Unknown(id)),
             ([], _) => return Err(self.unknown()),
             (forms, Some(wanted)) => forms.iter().find(|info| info.form == wanted),
             (forms, None) => forms.iter().find(|info| info.is_default),
         };
-        found.copied().ok_or_else(|| {
+        found.copied().map(Target::Form).ok_or_else(|| {
             let names: Vec<_> = forms.iter().map(|info| info.form).collect();
-            let wanted = wanted.unwrap_or_default();
-            Failure::Usage(format!("CMD_{name} has no form {wanted:?}; there are {}", names.join(", ")))
+            let (name, wanted) = (forms.first().map_or(name, |info| info.spec), wanted.unwrap_or_default());
+            Failure::Usage(format!("{name} has no form {wanted:?}; available: {}", names.join(", ")))
         })
     }
 
     fn unknown(&self) -> Failure {
-        let direction = if self.direction == Way::Outgoing { "outgoing" } else { "incoming" };
-        Failure::Usage(format!("{:?} is no {direction} command of the protocol", self.name))
+        let (direction, all) = match self.direction {
+            Way::Outgoing => ("outgoing", OutgoingCommand::ALL),
+            Way::Incoming => ("incoming", IncomingCommand::ALL),
+        };
+        let names = all.iter().map(|info| info.spec.trim_start_matches("CMD_"));
+        let name = self.name.to_ascii_uppercase();
+        let what = format!("{direction} command");
+        Failure::Usage(text::unknown(&what, name.trim_start_matches("CMD_"), names))
     }
 }
 
-/// The bytes, if `value` is a hex dump of whole bytes.
-fn bytes_of(value: &str) -> Option<Vec<u8>> {
-    let digits: String = value.chars().filter(|character| !character.is_whitespace()).collect();
-    hex::decode(digits).ok()
+impl Way {
+    fn direction(self) -> Direction {
+        match self {
+            Way::Outgoing => Direction::Outgoing,
+            Way::Incoming => Direction::Incoming,
+        }
+    }
 }
+
+/// A frame, and what is to be said about it.
+struct Encoded {
+    name: Option<&'static str>,
+    form: &'static str,
+    frame: Vec<u8>,
+    warnings: Vec<String>,
+}
+
+#[derive(Clone, Copy)]
+enum Target {
+    Form(&'static MessageInfo),
+    /// A command that the protocol does not have.
+    Unknown(u8),
+}
+
+/// A message of either direction.
+#[allow(clippy::large_enum_variant, reason = "there is one")]
+enum Message<'a> {
+    Outgoing(OutgoingCommand<'a>),
+    Incoming(IncomingCommand<'a>),
+}
+
+impl<'a> Message<'a> {
+    fn blank(info: &MessageInfo) -> Option<Self> {
+        match info.direction {
+            Direction::Outgoing => OutgoingCommand::blank(info.id, info.form).map(Message::Outgoing),
+            Direction::Incoming => IncomingCommand::blank(info.id, info.form).map(Message::Incoming),
+        }
+    }
+
+    fn unknown(direction: Direction, id: u8) -> Self {
+        let (id, payload) = (CommandId::from_raw(id), &[][..]);
+        match direction {
+            Direction::Outgoing => Message::Outgoing(OutgoingCommand::Unknown { id, payload }),
+            Direction::Incoming => Message::Incoming(IncomingCommand::Unknown { id, payload }),
+        }
+    }
+
+    fn force(&mut self, path: &str, value: Input<'a>) -> Result<Option<OutOfRange>, AssignError> {
+        match self {
+            Message::Outgoing(message) => message.force(path, value),
+            Message::Incoming(message) => message.force(path, value),
+        }
+    }
+
+    fn encode_frame<'o>(&self, version: Version, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError> {
+        match self {
+            Message::Outgoing(message) => message.encode_frame(version, out),
+            Message::Incoming(message) => message.encode_frame(version, out),
+        }
+    }
+}
+
+/// Sets one field; `bytes` keeps those that a field borrows.
+fn force<'a>(
+    message: &mut Message<'a>,
+    path: &str,
+    value: &'a str,
+    bytes: &'a OnceCell<Vec<u8>>,
+) -> Result<Option<OutOfRange>, AssignError> {
+    match message.force(path, Input::Text(value)) {
+        Err(AssignError::Borrowed { text }) => {
+            let mut buffer = [0; MAX_PAYLOAD];
+            let decode = if text { reflect::text_bytes } else { reflect::hex_bytes };
+            let decoded = decode(value, &mut buffer)?.to_vec();
+            message.force(path, Input::Bytes(bytes.get_or_init(|| decoded)))
+        }
+        result => result,
+    }
+}
+
+/// The error with the names that may have been meant.
+fn explain(path: &str, value: &str, error: &AssignError) -> String {
+    let step = |at: usize| {
+        let step = path.get(at..).unwrap_or_default();
+        step.split(['.', '[']).next().unwrap_or_default()
+    };
+    let error = match error {
+        AssignError::NoSuchField { at, fields } if !fields.is_empty() => {
+            text::unknown("field", step(*at), fields.iter().map(|field| field.name))
+        }
+        AssignError::NoSuchPart { at, parts } => text::unknown("part", step(*at), parts.iter().copied()),
+        error => error.to_string(),
+    };
+    format!("{path}={value}: {error}")
+}
+
+#[cfg(test)]
+mod tests;

@@ -76,21 +76,44 @@ fn fields_show_the_width_and_the_list() {
     });
     assert_eq!(
         shown,
-        ["cmd_id@0 u8 Number(22)", "data@1 u24 Number(256)", "CMD_WRITE_FILE", "ERR_NO_FREE_SPACE", ""]
+        ["cmd_id@0 u8 Number(22)", "data.u24@1 u24 Number(256)", "CMD_WRITE_FILE", "ERR_NO_FREE_SPACE", ""]
     );
 
     let mut data = ConfirmData::None;
-    for (value, expected) in [
-        (7, ConfirmData::U8(7)),
-        (700, ConfirmData::U16(700)),
-        (7, ConfirmData::U16(7)),
-        (0x1_0000, ConfirmData::U24(0x1_0000.try_into().unwrap())),
-        (0x100_0000, ConfirmData::U32(0x100_0000)),
-        (1, ConfirmData::U32(1)),
+    for (path, value, expected) in [
+        ("", 7, ConfirmData::U8(7)),
+        ("u16", 7, ConfirmData::U16(7)),
+        ("", 700, ConfirmData::U16(700)),
+        ("U24", 7, ConfirmData::U24(7_u32.try_into().unwrap())),
+        ("u32", 1, ConfirmData::U32(1)),
     ] {
-        set(&mut data, "", Input::Raw(value)).unwrap();
+        set(&mut data, path, Input::Raw(value)).unwrap();
         assert_eq!(data, expected);
     }
-    set(&mut data, "", Input::Text("0x0016")).unwrap();
-    assert_eq!(data, ConfirmData::U16(22));
+    data = ConfirmData::None;
+    set(&mut data, "", Input::Text("0x10000")).unwrap();
+    assert_eq!(data, ConfirmData::U24(0x1_0000.try_into().unwrap()));
+    for (path, value) in [("", 1 << 24), ("u8", 256), ("u48", 1), ("u16", -1)] {
+        assert!(set(&mut data, path, Input::Raw(value)).is_err());
+        assert_eq!(data, ConfirmData::U24(0x1_0000.try_into().unwrap()), "{path}");
+    }
+}
+
+#[cfg(feature = "reflect")]
+#[test]
+fn codes_of_every_list_are_taken_by_name() {
+    use crate::reflect::{Input, set};
+
+    let mut code = FailureCode::default();
+    for (text, raw) in [
+        ("ERR_WRONG_PARAMS", 2),
+        ("ERR_WRONG_PARAMS (10)", 10),
+        ("ERR_CRC", 7),
+        ("ERR_CRYPTO (4)", 4),
+        ("99", 99),
+    ] {
+        set(&mut code, "", Input::Text(text)).unwrap();
+        assert_eq!(code.raw(), raw, "{text}");
+    }
+    assert!(set(&mut code, "", Input::Text("ERR_WRONG_PARAMS (3)")).is_err());
 }

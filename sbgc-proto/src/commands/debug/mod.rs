@@ -143,7 +143,7 @@ impl DebugVars3ExtendedRequest {
         let mut request = Self::default();
         for variable in variables {
             while request.selected_mask.len() <= variable / 32 {
-                request.selected_mask.push(0).map_err(|_| OutOfRange)?;
+                request.selected_mask.push(0).map_err(|_| OutOfRange::plain(0.0, 255.0))?;
             }
             if let Some(mask) = request.selected_mask.get_mut(variable / 32) {
                 *mask |= 1 << (variable % 32);

@@ -7,9 +7,10 @@ use super::{
     SystemStateBlock,
 };
 use crate::commands::PackedQuaternion;
+use crate::frame::EncodeFrameError;
 use crate::units::{Acceleration, Angle, EncoderAngle, FineAngle, LongAngle, RcSignal, SensorRate};
 use crate::wire::{Float, FromWire, Layout, PerAxis, PerXyz, Reserved, ToWire, Writer, flags};
-use crate::{DecodeError, Message, OutOfRange};
+use crate::{DecodeError, Message};
 
 use self::RealtimeDataCustomFlags as Flags;
 
@@ -31,10 +32,11 @@ impl RealtimeDataCustomRequest {
     /// Asks for what `flags` choose.
     ///
     /// # Errors
-    /// When the answer would be longer than a payload can be. What a board does with such a request is not known.
-    pub fn new(flags: RealtimeDataCustomFlags) -> Result<Self, OutOfRange> {
-        if flags.payload_len() > 255 {
-            return Err(OutOfRange);
+    /// If the answer would be longer than a payload can be. What a board does with such a request is unknown.
+    pub fn new(flags: RealtimeDataCustomFlags) -> Result<Self, EncodeFrameError> {
+        let length = flags.payload_len();
+        if length > 255 {
+            return Err(EncodeFrameError::PayloadTooLong { length });
         }
         Ok(Self { flags, ..Self::default() })
     }

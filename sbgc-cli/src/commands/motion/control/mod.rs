@@ -9,6 +9,8 @@ mod stop;
 mod turn;
 
 use clap::{Args, Subcommand};
+use sbgc_proto::OutOfRange;
+use sbgc_proto::units::ControlRate;
 
 use crate::failure::Failure;
 use crate::options::Global;
@@ -67,9 +69,15 @@ fn rate(text: &str) -> Result<f32, String> {
 
 /// The speed of a move: its direction is for the angle to say.
 fn speed(text: &str) -> Result<f32, String> {
-    match values::rate(text) {
-        Ok(rate) if rate.0 > 0 => values::degrees_per_second(text),
-        Err(error) if !error.contains("out of range") => Err(error),
-        _ => Err(format!("{text} is out of range; expected 0.13 to 4000 degrees per second")),
-    }
+    let value = values::degrees_per_second(text)?;
+    let slowest = f64::from(ControlRate(1).degrees_per_second());
+    let range = match ControlRate::try_from_degrees_per_second(value) {
+        Ok(rate) if rate.0 > 0 => return Ok(value),
+        Ok(_) => {
+            let maximum = f64::from(ControlRate(i16::MAX).degrees_per_second());
+            OutOfRange { minimum: slowest, maximum, unit: "deg/s" }
+        }
+        Err(range) => OutOfRange { minimum: slowest, ..range },
+    };
+    Err(format!("{text} is {range}"))
 }

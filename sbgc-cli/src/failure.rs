@@ -153,7 +153,8 @@ fn host(error: &Error) -> (&'static str, u8) {
         Error::BadAddress { .. }
         | Error::OutOfRange { .. }
         | Error::Misaligned { .. }
-        | Error::FileSize { .. } => ("usage", 2),
+        | Error::FileSize { .. }
+        | Error::BadNote { .. } => ("usage", 2),
         Error::Timeout { .. } => ("no_answer", 3),
         Error::Refused { .. } => ("refused", 4),
         Error::Io(_)

@@ -6,8 +6,9 @@
 //! ```text
 //! talk · text · values · places · signals · failure  standard error, text, numbers with units, what ends a command
 //! config_file · options                              the common options and where their values come from
-//! output · act · connect                             printing, asking, dry run; a gimbal that responds
-//! fields · table · sampling · samples               messages as text, JSON and columns; data streams
+//! output · files · progress                          printing, whole files, bars
+//! act · connect                                      asking, dry run; a gimbal that responds
+//! fields · table · sampling · samples                messages as text, JSON and columns; data streams
 //! commands                                           one file each, in folders by group
 //! cli · main                                         the command line as a whole
 //! ```
@@ -21,9 +22,11 @@ mod config_file;
 mod connect;
 mod failure;
 mod fields;
+mod files;
 mod options;
 mod output;
 mod places;
+mod progress;
 mod samples;
 mod sampling;
 mod signals;

@@ -142,6 +142,14 @@ pub enum Error {
         /// Size of the longest file.
         maximum: usize,
     },
+    /// A note of a melody that cannot be read.
+    #[error(
+        "unknown note \"{note}\"; expected a name such as C5 or F#5, a frequency such as 880Hz, or - for a pause"
+    )]
+    BadNote {
+        /// The note.
+        note: String,
+    },
     /// There is no script in the slot.
     #[error("script slot {slot} is empty; upload a script first")]
     EmptySlot {

@@ -88,6 +88,7 @@
     )
 )]
 
+pub mod actions;
 #[cfg(feature = "capture")]
 pub mod capture;
 mod checked;

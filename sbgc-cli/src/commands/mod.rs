@@ -42,10 +42,12 @@
 //!   in [`signals::blocking`](crate::signals::blocking).
 
 mod around;
+mod device;
 mod find;
 mod look;
 mod motion;
 mod parameters;
+mod storage;
 mod traffic;
 
 use clap::Subcommand;
@@ -65,6 +67,10 @@ pub(crate) enum Command {
     #[command(flatten)]
     Motion(motion::Command),
     #[command(flatten)]
+    Storage(storage::Command),
+    #[command(flatten)]
+    Device(device::Command),
+    #[command(flatten)]
     Traffic(traffic::Command),
     #[command(flatten)]
     Around(around::Command),
@@ -78,6 +84,8 @@ impl Command {
             Command::Look(command) => command.run(global, output).await,
             Command::Parameters(command) => command.run(global, output).await,
             Command::Motion(command) => command.run(global, output).await,
+            Command::Storage(command) => command.run(global, output).await,
+            Command::Device(command) => command.run(global, output).await,
             Command::Traffic(command) => command.run(global, output).await,
             Command::Around(command) => command.run(global, output).await,
         }
@@ -85,13 +93,15 @@ impl Command {
 }
 
 /// The groups as help lists them: a word for each, and its commands.
-pub(crate) fn groups() -> [(&'static str, clap::Command); 6] {
+pub(crate) fn groups() -> [(&'static str, clap::Command); 8] {
     let empty = || clap::Command::new("sbgc");
     [
         ("Find", find::Command::augment_subcommands(empty())),
         ("Look", look::Command::augment_subcommands(empty())),
         ("Parameters", parameters::Command::augment_subcommands(empty())),
         ("Motion", motion::Command::augment_subcommands(empty())),
+        ("Storage", storage::Command::augment_subcommands(empty())),
+        ("Device", device::Command::augment_subcommands(empty())),
         ("Traffic", traffic::Command::augment_subcommands(empty())),
         ("Around", around::Command::augment_subcommands(empty())),
     ]

@@ -8,6 +8,24 @@ use crate::{Error, Gimbal, Result};
 /// The EEPROM is read and written in pages of this many bytes.
 pub const EEPROM_PAGE: usize = 64;
 
+/// The commands that write pages of the EEPROM.
+///
+/// # Errors
+/// If address or length are not multiples of [`EEPROM_PAGE`], or there is nothing to write.
+pub fn eeprom_portions(address: u32, data: &[u8]) -> Result<impl Iterator<Item = EepromWrite<'_>>> {
+    let start = usize::try_from(address).unwrap_or(usize::MAX);
+    for (what, value) in [("EEPROM address", start), ("length of the EEPROM block", data.len())] {
+        if value % EEPROM_PAGE != 0 {
+            return Err(Error::Misaligned { what, value, step: EEPROM_PAGE });
+        }
+    }
+    if data.is_empty() {
+        return Err(Error::WrongLength { what: "EEPROM block", expected: EEPROM_PAGE, got: 0 });
+    }
+    let addresses = (address..).step_by(PORTION);
+    Ok(addresses.zip(data.chunks(PORTION)).map(|(addr, data)| EepromWrite { addr, data }))
+}
+
 impl Gimbal {
     /// Size of the EEPROM in bytes.
     ///
@@ -58,29 +76,23 @@ impl Gimbal {
     /// If address or length are not multiples of [`EEPROM_PAGE`], if the board refuses it, or if it has other bytes
     /// afterwards ([`Error::NotVerified`]).
     pub async fn eeprom_write(&self, address: u32, data: &[u8], mut progress: impl Progress) -> Result<()> {
-        let start = usize::try_from(address).unwrap_or(usize::MAX);
-        for (what, value) in [("EEPROM address", start), ("length of the EEPROM block", data.len())] {
-            if value % EEPROM_PAGE != 0 {
-                return Err(Error::Misaligned { what, value, step: EEPROM_PAGE });
-            }
-        }
+        let portions = eeprom_portions(address, data)?;
         progress(0, data.len());
-        let mut next = address;
         let mut done = 0;
-        for portion in data.chunks(PORTION) {
-            self.eeprom_write_portion(next, portion).await?;
-            next = next.wrapping_add(u32::try_from(portion.len()).unwrap_or_default());
-            done += portion.len();
+        for portion in portions {
+            self.eeprom_write_portion(&portion).await?;
+            done += portion.data.len();
             progress(done, data.len());
         }
         Ok(())
     }
 
-    async fn eeprom_write_portion(&self, address: u32, data: &[u8]) -> Result<()> {
+    async fn eeprom_write_portion(&self, portion: &EepromWrite<'_>) -> Result<()> {
+        let EepromWrite { addr: address, data } = *portion;
         let mut left = self.options().attempts.max(1);
         loop {
             left -= 1;
-            let outcome = self.confirm(&EepromWrite { addr: address, data }).await;
+            let outcome = self.confirm(portion).await;
             if !matches!(outcome, Ok(_) | Err(Error::Timeout { .. })) {
                 return outcome.map(drop);
             }

@@ -17,6 +17,19 @@ pub const MAX_FILE: usize = u16::MAX as usize;
 /// Pages of a file by which parts are counted.
 const PAGE: usize = 64;
 
+/// The commands that write a file.
+///
+/// # Errors
+/// If the data is empty, which would delete the file, or longer than [`MAX_FILE`].
+pub fn file_portions(id: FileId, data: &[u8]) -> Result<impl Iterator<Item = WriteFile<'_>>> {
+    let Ok(file_size @ 1..) = u16::try_from(data.len()) else {
+        return Err(Error::FileSize { size: data.len(), maximum: MAX_FILE });
+    };
+    let offsets = (0..).step_by(PORTION).map(page);
+    let portions = offsets.zip(data.chunks(PORTION));
+    Ok(portions.map(move |(page_offset, data)| WriteFile { file_id: id, file_size, page_offset, data }))
+}
+
 impl Gimbal {
     /// Reads a file.
     ///
@@ -71,15 +84,13 @@ impl Gimbal {
     /// If the data is empty, which would delete the file, or longer than [`MAX_FILE`]; if the board refuses it; or if
     /// it has other bytes afterwards ([`Error::NotVerified`]).
     pub async fn file_write(&self, id: FileId, data: &[u8], mut progress: impl Progress) -> Result<()> {
-        let Ok(size @ 1..) = u16::try_from(data.len()) else {
-            return Err(Error::FileSize { size: data.len(), maximum: MAX_FILE });
-        };
+        let portions = file_portions(id, data)?;
         progress(0, data.len());
-        for (index, portion) in data.chunks(PORTION).enumerate() {
-            let at = index * PORTION;
-            let write = WriteFile { file_id: id, file_size: size, page_offset: page(at), data: portion };
-            self.file_write_portion(&write, at).await?;
-            progress(at + portion.len(), data.len());
+        let mut at = 0;
+        for portion in portions {
+            self.file_write_portion(&portion, at).await?;
+            at += portion.data.len();
+            progress(at, data.len());
         }
         let there = self.file_read(id, |_, _| {}).await?;
         if there == data {

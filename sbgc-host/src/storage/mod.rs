@@ -10,9 +10,9 @@ mod i2c;
 mod scripts;
 mod user_data;
 
-pub use eeprom::EEPROM_PAGE;
-pub use files::MAX_FILE;
-pub use scripts::SCRIPT_SLOTS;
+pub use eeprom::{EEPROM_PAGE, eeprom_portions};
+pub use files::{MAX_FILE, file_portions};
+pub use scripts::{SCRIPT_SLOTS, script_file};
 
 /// The longest portion: the most whole pages of 64 bytes that fit every message.
 const PORTION: usize = 192;

@@ -81,7 +81,10 @@ fn slot_index(slot: u8) -> Result<u8> {
     }
 }
 
-/// The file that holds the script of a slot: files count from 0.
-fn script_file(slot: u8) -> Result<FileId> {
+/// The file that holds the script of a slot: slots count from 1, files from 0.
+///
+/// # Errors
+/// If there is no such slot.
+pub fn script_file(slot: u8) -> Result<FileId> {
     Ok(FileId::new(FileType::Script, slot_index(slot)?))
 }

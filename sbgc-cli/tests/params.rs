@@ -359,3 +359,81 @@ fn a_silent_board_is_an_exit_code_of_its_own() {
     bench.board.signal("CONT");
     assert_eq!(silent.status.code(), Some(3), "{}", stderr(&silent));
 }
+
+const EXAMPLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../sbgc-host/tests/gui/example.profile");
+
+#[test]
+fn files_of_the_gui_are_compared_restored_and_filled() {
+    let bench = Bench::new();
+    let error = bench.fail(1, &["params", "restore", EXAMPLE, "--yes"]);
+    assert!(error.contains("2.70") && error.contains("2.73") && error.contains("--force"), "{error}");
+
+    let differences = bench.objects(&["params", "diff", EXAMPLE]);
+    let profiles: std::collections::BTreeSet<_> =
+        differences.iter().map(|object| object["profile"].as_u64()).collect();
+    assert_eq!(profiles.into_iter().collect::<Vec<_>>(), [Some(1), Some(2)]);
+    bench.fail(5, &["params", "restore", EXAMPLE, "--force"]);
+
+    let output = bench.succeed(&["params", "restore", EXAMPLE, "--force", "--yes", "--json"]);
+    assert_eq!(common::objects(&output).len(), differences.len());
+    let talk = stderr(&output);
+    for part in [
+        "profile 1: not written without --include likely: ",
+        "profile 1: not written without --include unit-specific: ",
+        "profile 1: not written for this firmware: motors.roll.p",
+        "not written: angleAccLimit3 (",
+    ] {
+        assert!(talk.contains(part), "{part:?} is not in: {talk}");
+    }
+    assert!(bench.objects(&["params", "diff", EXAMPLE]).is_empty());
+    let more =
+        bench.objects(&["params", "diff", EXAMPLE, "--include", "likely", "--include", "unit-specific"]);
+    assert!(more.iter().any(|object| object["path"] == "rc_map_yaw"));
+    assert!(more.iter().any(|object| object["path"] == "motors.yaw.poles"));
+    // Signals of variables belong to no profile.
+    assert!(
+        more.iter()
+            .any(|object| object["path"] == "trigger_slots[0].trigger_src_ch" && object["profile"].is_null())
+    );
+
+    // One profile goes where it is told to.
+    let text = fs::read_to_string(EXAMPLE).unwrap();
+    let start = text.find("<profile>").unwrap();
+    let end = text.find("</profile>").unwrap() + "</profile>".len();
+    let (before, after) = (text.find("<all-profiles>").unwrap(), text.find("</all-profiles>").unwrap());
+    let single =
+        format!("{}{}{}", &text[..before], &text[start..end], &text[after + "</all-profiles>".len()..]);
+    let path = bench.file("one.profile");
+    fs::write(&path, &single).unwrap();
+    let file = path.to_str().unwrap();
+    assert!(bench.objects(&["params", "diff", file, "--profile", "1"]).is_empty());
+    let differences = bench.objects(&["params", "diff", file, "--profile", "4"]);
+    assert!(!differences.is_empty() && differences.iter().all(|object| object["profile"] == 4));
+    bench.succeed(&["params", "restore", file, "--profile", "4", "--force", "--yes"]);
+    assert!(bench.objects(&["params", "diff", file, "profile:4"]).is_empty());
+
+    // What is not understood refuses the whole file.
+    fs::write(&path, single.replace("<gyroSens>58<", "<gyroSens>300<")).unwrap();
+    let error = bench.fail(2, &["params", "restore", file, "--force", "--yes"]);
+    assert!(error.contains("one.profile:") && error.contains("<gyroSens> 300: out of range"), "{error}");
+    bench.fail(2, &["params", "restore", file, "--include", "everything"]);
+}
+
+#[test]
+fn a_template_of_the_gui_takes_the_values_of_the_board() {
+    let bench = Bench::new();
+    let path = bench.file("out.profile");
+    let out = path.to_str().unwrap();
+    let dump = ["params", "dump", "--profile-template", EXAMPLE, out];
+    bench.fail(1, &dump);
+    assert!(!path.exists());
+    bench.succeed(&["params", "set", "gyro_trust=83", "--profile", "2", "--yes"]);
+    let output = bench.succeed(&[&dump[..], &["--force"]].concat());
+    assert!(stderr(&output).contains("left as in the template: "), "{}", stderr(&output));
+    let (filled, template) = (fs::read_to_string(&path).unwrap(), fs::read_to_string(EXAMPLE).unwrap());
+    let second = filled.rfind("<profile>").unwrap();
+    assert!(filled[second..].contains("<gyroTrust>83</gyroTrust>"));
+    assert_eq!(filled.lines().count(), template.lines().count());
+    assert!(bench.objects(&["params", "diff", out, "--include", "likely"]).is_empty());
+    bench.fail(2, &["params", "dump", "--profile-template", EXAMPLE]);
+}

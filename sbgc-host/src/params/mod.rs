@@ -4,7 +4,7 @@
 //! - `parameter`, `quantity`: one parameter, its values as text, numbers and bytes, and their units.
 //! - `catalog`: all parameters of a firmware by name.
 //! - `set`, `plan`: what a board holds, what differs, and what is going to be written.
-//! - `file`: parameters as a TOML document.
+//! - `file`: parameters as a TOML document; `gui`: files of the vendor's GUI.
 //! - `board`: doing it with a [`Gimbal`](crate::Gimbal); `adjustable`: variables that change while it works.
 //!
 //! What a parameter is called, its unit, range and names come from [`sbgc_proto::reflect`]; nothing of it is repeated
@@ -43,6 +43,7 @@ mod board;
 mod catalog;
 mod error;
 mod file;
+mod gui;
 mod parameter;
 mod plan;
 mod quantity;
@@ -54,6 +55,7 @@ pub use board::{Parameters, activation, profile_set, use_defaults};
 pub use catalog::{Catalog, NameError, nearest};
 pub use error::{ParamsError, Result};
 pub use file::{Applied, FileError, FileProblem, ParameterFile};
+pub use gui::{Filled, GuiError, GuiFile, GuiProblem, Include};
 pub use parameter::{Parameter, Value, ValueError};
 pub use plan::{Plan, PlannedCommand, Step};
 pub use quantity::UnitError;

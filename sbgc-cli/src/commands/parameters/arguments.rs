@@ -1,7 +1,7 @@
 //! Arguments of these commands: profiles, names, and names with values.
 
 use clap_complete::engine::CompletionCandidate;
-use sbgc_host::params::{Catalog, Profile};
+use sbgc_host::params::{Catalog, Include, Profile};
 
 /// A profile, 1 to 5. A value parser of clap.
 pub(super) fn profile(text: &str) -> Result<Profile, String> {
@@ -40,6 +40,12 @@ pub(super) fn assignment(text: &str) -> Result<Assignment, String> {
         return Err(String::from("expected a name before the ="));
     }
     Ok(Assignment { name: name.trim().into(), value: value.trim().into() })
+}
+
+/// What of a GUI's file is written on request only. A value parser of clap.
+pub(super) fn include(text: &str) -> Result<Include, String> {
+    let found = Include::ALL.into_iter().find(|include| include.name() == text);
+    found.ok_or_else(|| format!("expected {}", Include::ALL.map(Include::name).join(", ")))
 }
 
 /// What a shell completes for the name of a parameter.

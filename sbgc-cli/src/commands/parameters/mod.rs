@@ -3,6 +3,7 @@
 mod adj;
 mod arguments;
 mod change;
+mod document;
 mod params;
 mod profile;
 mod show;

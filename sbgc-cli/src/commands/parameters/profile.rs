@@ -188,8 +188,7 @@ async fn reset(
             Ok(defaults) => {
                 let catalog = parameters.catalog();
                 for (own, blocks) in &before.profiles {
-                    let Some(first) = defaults.profiles().next() else { continue };
-                    let after = source::lay(&defaults, first, blocks, &catalog, "defaults");
+                    let after = source::over(&defaults, *own, blocks, &catalog)?;
                     let differences =
                         blocks.values(&catalog).differences(&after.values(&catalog), Some(*own));
                     for difference in &differences {

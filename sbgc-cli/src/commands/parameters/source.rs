@@ -1,12 +1,13 @@
 //! What can be compared and restored: files, the board, one of its profiles, factory values.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use sbgc_host::params::{Applied, Blocks, Catalog, ParameterFile, Parameters, Profile, Snapshot};
+use sbgc_host::params::{Blocks, Catalog, ParameterFile, Profile, Snapshot};
 use sbgc_proto::commands::BoardInfo;
 
 use super::change;
+use super::document::Document;
 use crate::failure::Failure;
 use crate::{places, talk};
 
@@ -33,16 +34,6 @@ pub(super) fn source(text: &str) -> Result<Source, String> {
     }
 }
 
-/// Reads a file of parameters and checks it.
-pub(super) fn read(path: &Path) -> Result<ParameterFile, Failure> {
-    let text = fs::read_to_string(path)
-        .map_err(|source| Failure::File { place: path.display().to_string(), source })?;
-    ParameterFile::parse(&text).map_err(|error| {
-        let line = error.line.map_or_else(String::new, |line| format!(":{line}"));
-        Failure::Usage(format!("{}{line}: {}", path.display(), error.problem))
-    })
-}
-
 /// Where the factory values of a board are kept once they were seen.
 fn defaults_path(info: &BoardInfo) -> Option<PathBuf> {
     let name = format!("{:.1}-{}.toml", info.board_ver.number(), info.firmware_ver);
@@ -65,7 +56,7 @@ pub(super) fn keep_defaults(info: &BoardInfo, blocks: &Blocks) {
 }
 
 /// The factory values of a board.
-pub(super) fn defaults(info: &BoardInfo) -> Result<ParameterFile, Failure> {
+pub(super) fn defaults(info: &BoardInfo) -> Result<Document, Failure> {
     let path = defaults_path(info).filter(|path| path.is_file()).ok_or_else(|| {
         Failure::Failed(format!(
             "the factory values of firmware {} on board {:.1} are unknown: no command reads them. \
@@ -74,28 +65,18 @@ pub(super) fn defaults(info: &BoardInfo) -> Result<ParameterFile, Failure> {
             info.board_ver.number(),
         ))
     })?;
-    read(&path)
+    Document::read(&path, &[])
 }
 
-/// The values of `file` laid over those of a profile; names what the firmware lacks.
-pub(super) fn lay(
-    file: &ParameterFile,
-    from: Profile,
+/// Factory values laid over a profile.
+pub(super) fn over(
+    defaults: &Document,
+    profile: Profile,
     blocks: &Blocks,
     catalog: &Catalog,
-    whose: &str,
-) -> Blocks {
-    say_left_out(file.apply(from, blocks, catalog), whose)
-}
-
-/// The same for what belongs to no profile.
-pub(super) fn lay_shared(file: &ParameterFile, blocks: &Blocks, parameters: &Parameters) -> Blocks {
-    say_left_out(file.apply_shared(blocks, &parameters.shared_catalog()), "board")
-}
-
-fn say_left_out(applied: Applied, whose: &str) -> Blocks {
-    if !applied.left_out.is_empty() {
-        talk::say(format_args!("{whose}: not in this firmware, left out: {}", applied.left_out.join(", ")));
-    }
-    applied.blocks
+) -> Result<Blocks, Failure> {
+    let parts = defaults.profiles(Some(profile), None)?;
+    Ok(parts
+        .first()
+        .map_or_else(|| blocks.clone(), |(own, _)| defaults.lay(*own, blocks, catalog, "defaults")))
 }

@@ -1,9 +1,10 @@
 //! `sbgc params diff`.
 
 use clap::Args;
-use sbgc_host::params::{Blocks, Difference, ParameterFile, Parameters, Profile};
+use sbgc_host::params::{Difference, Include, Parameters, Profile};
 
-use super::super::arguments::profile;
+use super::super::arguments::{include, profile};
+use super::super::document::{Document, Own};
 use super::super::show;
 use super::super::source::{self, Source};
 use crate::connect::with_board;
@@ -33,6 +34,10 @@ pub(super) struct Diff {
     #[arg(long, value_name = "N", value_parser = profile)]
     profile: Option<Profile>,
 
+    /// Of a GUI's file compare also: likely, unit-specific, link
+    #[arg(long, value_name = "CLASS", value_parser = include)]
+    include: Vec<Include>,
+
     /// End with 1 when there are differences
     #[arg(long)]
     exit_code: bool,
@@ -40,7 +45,7 @@ pub(super) struct Diff {
 
 /// One side, read as far as that goes without a board.
 enum Side {
-    File(Box<ParameterFile>),
+    File(Box<Document>),
     Board,
     Profile(Profile),
     Defaults,
@@ -48,8 +53,8 @@ enum Side {
 
 impl Diff {
     pub(super) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        let differences = match (side(&self.a)?, side(&self.b)?) {
-            (Side::File(a), Side::File(b)) => between_files(&a, &b),
+        let differences = match (self.side(&self.a)?, self.side(&self.b)?) {
+            (Side::File(a), Side::File(b)) => self.between_files(&a, &b)?,
             (a, b) => {
                 with_board(global, async |gimbal, info| {
                     let parameters = Parameters::new(gimbal, info);
@@ -77,6 +82,39 @@ impl Diff {
             return Err(Failure::Differs);
         }
         Ok(())
+    }
+
+    fn side(&self, source: &Source) -> Result<Side, Failure> {
+        Ok(match source {
+            Source::File(path) => Side::File(Box::new(Document::read(path, &self.include)?)),
+            Source::Board => Side::Board,
+            Source::Profile(profile) => Side::Profile(*profile),
+            Source::Defaults => Side::Defaults,
+        })
+    }
+
+    /// What two files say of the parameters that both have.
+    fn between_files(&self, a: &Document, b: &Document) -> Result<Vec<Difference>, Failure> {
+        let first = Profile::all().next();
+        let of = |file: &Document| file.profiles(self.profile, self.profile.or(first));
+        let (a_has, b_has) = (of(a)?, of(b)?);
+        let pairs: Vec<_> = match (a_has.as_slice(), b_has.as_slice()) {
+            ([a], [b]) => vec![(*a, *b)],
+            (all, others) => {
+                let same = |one: &(Own, Profile)| {
+                    others.iter().find(|other| other.1 == one.1).map(|other| (*one, *other))
+                };
+                all.iter().filter_map(same).collect()
+            }
+        };
+        let mut differences: Vec<_> = pairs
+            .into_iter()
+            .flat_map(|((own, one), (others, other))| {
+                a.values(own).differences(&b.values(others), (one == other).then_some(one))
+            })
+            .collect();
+        differences.extend(a.shared_values().differences(&b.shared_values(), None));
+        Ok(differences)
     }
 
     async fn with_sides(
@@ -116,40 +154,30 @@ impl Diff {
     async fn file_with(
         &self,
         parameters: &Parameters,
-        file: &ParameterFile,
+        file: &Document,
         other: &Known,
     ) -> Result<Vec<Difference>, Failure> {
-        let pairs: Vec<(Profile, Profile)> = match other {
-            Known::Profile(wanted) => {
-                let own: Vec<_> = file.profiles().collect();
-                match own.as_slice() {
-                    [only] => vec![(*only, *wanted)],
-                    several if several.contains(wanted) => vec![(*wanted, *wanted)],
-                    _ => return Err(Failure::Usage(format!("the file has no {wanted}"))),
-                }
-            }
-            _ => match (self.profile, file.profiles().collect::<Vec<_>>().as_slice()) {
-                (Some(wanted), [only]) => vec![(*only, wanted)],
-                (Some(wanted), _) => vec![(wanted, wanted)],
-                (None, all) => all.iter().map(|profile| (*profile, *profile)).collect(),
-            },
-        };
+        let wanted = if let Known::Profile(profile) = other { Some(*profile) } else { self.profile };
+        let active =
+            if file.is_nameless() && wanted.is_none() { Some(parameters.active().await?) } else { None };
+        let pairs = file.profiles(wanted, active)?;
         let catalog = parameters.catalog();
         let mut differences = Vec::new();
         for (own, on_board) in pairs {
             let mut blocks = parameters.read(on_board).await?;
             if let Known::Defaults(defaults) = other {
-                blocks = first_of(defaults, &blocks, parameters);
+                blocks = source::over(defaults, on_board, &blocks, &catalog)?;
             }
-            let of_file = source::lay(file, own, &blocks, &catalog, &own.to_string());
+            let of_file = file.lay(own, &blocks, &catalog, &on_board.to_string());
             differences
                 .extend(of_file.values(&catalog).differences(&blocks.values(&catalog), Some(on_board)));
         }
-        if file.has_shared() && matches!(other, Known::Board) && self.profile.is_none() {
+        if file.has_shared(wanted) && matches!(other, Known::Board) {
             let (catalog, blocks) = (parameters.shared_catalog(), parameters.read_shared().await?);
-            let of_file = source::lay_shared(file, &blocks, parameters);
+            let of_file = file.lay_shared(&blocks, &catalog);
             differences.extend(of_file.values(&catalog).differences(&blocks.values(&catalog), None));
         }
+        file.say_never_written();
         Ok(differences)
     }
 
@@ -157,7 +185,7 @@ impl Diff {
     async fn defaults_with(
         &self,
         parameters: &Parameters,
-        defaults: &ParameterFile,
+        defaults: &Document,
         other: &Known,
     ) -> Result<Vec<Difference>, Failure> {
         if matches!(other, Known::Defaults(_)) {
@@ -165,49 +193,17 @@ impl Diff {
         }
         let profile = self.profile_of(parameters, other).await?;
         let (catalog, blocks) = (parameters.catalog(), parameters.read(profile).await?);
-        let factory = first_of(defaults, &blocks, parameters);
+        let factory = source::over(defaults, profile, &blocks, &catalog)?;
         Ok(factory.values(&catalog).differences(&blocks.values(&catalog), Some(profile)))
     }
 }
 
 /// One side with a board at hand.
 enum Known {
-    File(ParameterFile),
-    Defaults(ParameterFile),
+    File(Document),
+    Defaults(Document),
     Board,
     Profile(Profile),
-}
-
-fn side(source: &Source) -> Result<Side, Failure> {
-    Ok(match source {
-        Source::File(path) => Side::File(Box::new(source::read(path)?)),
-        Source::Board => Side::Board,
-        Source::Profile(profile) => Side::Profile(*profile),
-        Source::Defaults => Side::Defaults,
-    })
-}
-
-/// The factory values laid over a profile.
-fn first_of(defaults: &ParameterFile, blocks: &Blocks, parameters: &Parameters) -> Blocks {
-    let first = defaults.profiles().next();
-    first.map_or_else(Blocks::default, |first| {
-        source::lay(defaults, first, blocks, &parameters.catalog(), "defaults")
-    })
-}
-
-/// What two files say of the parameters that both have.
-fn between_files(a: &ParameterFile, b: &ParameterFile) -> Vec<Difference> {
-    let of = |file: &ParameterFile| file.profiles().collect::<Vec<_>>();
-    let pairs: Vec<(Profile, Profile)> = match (of(a).as_slice(), of(b).as_slice()) {
-        ([a], [b]) => vec![(*a, *b)],
-        (all, others) => all.iter().filter(|own| others.contains(own)).map(|own| (*own, *own)).collect(),
-    };
-    let mut differences: Vec<_> = pairs
-        .into_iter()
-        .flat_map(|(own, other)| a.values(own).differences(&b.values(other), (own == other).then_some(own)))
-        .collect();
-    differences.extend(a.shared_values().differences(&b.shared_values(), None));
-    differences
 }
 
 fn swapped(differences: Vec<Difference>) -> Vec<Difference> {

@@ -3,10 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use sbgc_host::params::{ParameterFile, Parameters, Profile};
+use sbgc_host::params::{Include, Parameters, Profile};
 
-use super::super::arguments::profile;
-use super::super::{change, show, source};
+use super::super::arguments::{include, profile};
+use super::super::document::Document;
+use super::super::{change, show};
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::options::Global;
@@ -17,41 +18,53 @@ use crate::talk;
 ///
 /// Checks the file before anything is sent, shows what differs, asks, saves a backup, writes only blocks that differ and
 /// reads them back. A parameter that the file does not have stays as it is. When it is interrupted, run it again.
+///
+/// FILE may also be a .profile of the vendor's GUI; of that only values whose meaning is sure are written, unless others
+/// are included. What is never written but holds something is listed.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   sbgc params restore gimbal.toml
   sbgc params restore gimbal.toml --dry-run
-  sbgc params restore one-profile.toml --profile 3 --yes")]
+  sbgc params restore gui.profile --profile 3 --include likely --yes")]
 pub(super) struct Restore {
-    /// File of `params dump`
+    /// File of `params dump`, or of the GUI
     file: PathBuf,
 
-    /// Profile to write to, for a file with one; else the only one to restore
+    /// Profile to write to, for a file with one; else the only one to restore [default: for a GUI's file the active one]
     #[arg(long, value_name = "N", value_parser = profile)]
     profile: Option<Profile>,
 
     /// Accept a file from another firmware; what both have is written
     #[arg(long)]
     force: bool,
+
+    /// Of a GUI's file write also: likely, unit-specific (calibration, wiring), link (ports)
+    #[arg(long, value_name = "CLASS", value_parser = include)]
+    include: Vec<Include>,
 }
 
 impl Restore {
     pub(super) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        let file = self.select(source::read(&self.file)?)?;
+        let file = Document::read(&self.file, &self.include)?;
         with_board(global, async |gimbal, info| {
             let parameters = Parameters::new(gimbal, info);
             self.check_firmware(&file, &parameters)?;
+            let active = if file.is_nameless() && self.profile.is_none() {
+                Some(parameters.active().await?)
+            } else {
+                None
+            };
             let mut plan = parameters.plan();
-            for profile in file.profiles() {
+            for (own, profile) in file.profiles(self.profile, active)? {
                 let before = parameters.read(profile).await?;
-                let whose = profile.to_string();
-                let after = source::lay(&file, profile, &before, &parameters.catalog(), &whose);
+                let after = file.lay(own, &before, &parameters.catalog(), &profile.to_string());
                 plan.change(Some(profile), &before, &after);
             }
-            if file.has_shared() {
+            if file.has_shared(self.profile) {
                 let before = parameters.read_shared().await?;
-                plan.change(None, &before, &source::lay_shared(&file, &before, &parameters));
+                plan.change(None, &before, &file.lay_shared(&before, &parameters.shared_catalog()));
             }
+            file.say_never_written();
             if !change::carry_out(global, output, &parameters, &plan).await? {
                 return Ok(());
             }
@@ -67,19 +80,7 @@ impl Restore {
         .await
     }
 
-    /// What of the file is to be restored, and to which profile.
-    fn select(&self, file: ParameterFile) -> Result<ParameterFile, Failure> {
-        let Some(wanted) = self.profile else { return Ok(file) };
-        if file.profiles().count() == 1 {
-            return Ok(file.moved_to(wanted));
-        }
-        if !file.profiles().any(|profile| profile == wanted) {
-            return Err(Failure::Usage(format!("{} has no {wanted}", self.file.display())));
-        }
-        Ok(file.only(wanted))
-    }
-
-    fn check_firmware(&self, file: &ParameterFile, parameters: &Parameters) -> Result<(), Failure> {
+    fn check_firmware(&self, file: &Document, parameters: &Parameters) -> Result<(), Failure> {
         let board = parameters.info().firmware_ver;
         if file.is_for(board) {
             return Ok(());

@@ -91,6 +91,7 @@ fn parameters_are_listed_shown_and_described() {
     assert_eq!((&memory[0]["unit"], &memory[0]["spec"]), (&"deg".into(), &"RC_MEMORY".into()));
     let trust = &bench.objects(&["params", "get", "gyro_trust"])[0];
     assert_eq!((&trust["value"], &trust["raw"], &trust["unit"]), (&120.into(), &120.into(), &Value::Null));
+    bench.succeed(&["params", "set", "bat_comp_ref=12600mV", "--yes"]);
     let text = stdout(&bench.succeed(&["params", "get", "gyro_trust", "bat_comp_ref"]));
     assert_eq!(text, "gyro_trust = 120\nbat_comp_ref = 12.6 V\n");
     assert!(stdout(&bench.succeed(&["params", "list", "motors.*.p"])).starts_with("motors.roll.p   "));

@@ -9,8 +9,19 @@ use crate::command_table::with_commands;
 use crate::commands::*;
 use crate::frame::{self, Frame, Version};
 use crate::message::{Message, write_message};
-use crate::wire::{ToWire, Writer};
+use crate::wire::{FromWire, ToWire, Writer};
 use crate::{CommandId, DecodeError, Direction, EncodeError, RequestInfo};
+
+/// Reads a payload as one message.
+///
+/// By itself, because all messages in one function would need as much stack as all of them together.
+#[inline(never)]
+fn decode_as<'a, M: Message + FromWire<'a>, E>(
+    payload: &'a [u8],
+    variant: impl FnOnce(M) -> E,
+) -> Result<(E, &'a [u8]), DecodeError> {
+    M::decode_prefix(payload).map(|(message, rest)| (variant(message), rest))
+}
 
 /// The messages of one direction: of each id the forms in the order in which they are tried.
 macro_rules! declare_direction {
@@ -62,8 +73,7 @@ macro_rules! declare_direction {
                         const SPECS: &[&str] = &[$(<$ty as Message>::SPEC),*];
                         $(
                             if <$ty as Message>::accepts(payload.len()) {
-                                let (message, rest) = <$ty as Message>::decode_prefix(payload)?;
-                                return Ok((Self::$ty(message), rest));
+                                return decode_as(payload, Self::$ty);
                             }
                         )*
                         SPECS.first()

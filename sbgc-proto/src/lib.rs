@@ -112,9 +112,8 @@ pub use error::{DecodeError, EncodeError, OutOfRange, TextTooLong};
 pub use expected::Expected;
 pub use message::{Message, Request};
 
-// Types of these stand in this crate's own signatures.
+// Types of it stand in this crate's own signatures.
 pub use heapless;
-pub use nom;
 
 /// The examples of the project's front page.
 #[cfg(doctest)]

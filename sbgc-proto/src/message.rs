@@ -78,17 +78,16 @@ pub trait Message: Layout {
     where
         Self: FromWire<'a, C>,
     {
-        // One check here lets the compiler drop those of the fields.
-        if payload.len() < Self::MIN_LEN {
-            return Err(DecodeError::TooShort {
-                command: Self::SPEC,
-                needed: Self::MIN_LEN,
-                got: payload.len(),
-            });
+        let too_short =
+            DecodeError::TooShort { command: Self::SPEC, needed: Self::MIN_LEN, got: payload.len() };
+        let Some(rest) = payload.get(Self::MIN_LEN..) else { return Err(too_short) };
+        // No name of a field is needed where only the length of the whole can be wrong.
+        if Self::FIXED {
+            return Self::read_fixed(payload, context).map(|message| (message, rest)).ok_or(too_short);
         }
         match Self::read(payload, context) {
             Ok((rest, message)) => Ok((message, rest)),
-            Err(error) => Err(explain(Self::SPEC, payload.len(), &error)),
+            Err(fault) => Err(explain(Self::SPEC, payload.len(), &fault)),
         }
     }
 
@@ -164,18 +163,12 @@ pub(crate) fn write_message<M: Message + ToWire<C>, C>(
 }
 
 #[cold]
-fn explain(command: &'static str, length: usize, error: &nom::Err<Fault>) -> DecodeError {
-    match error {
-        nom::Err::Error(fault) | nom::Err::Failure(fault) => DecodeError::Truncated {
-            command,
-            field: fault.field,
-            offset: length.saturating_sub(fault.left),
-            needed: fault.needed,
-            got: fault.left,
-        },
-        // No parser here asks for more input.
-        nom::Err::Incomplete(_) => {
-            DecodeError::TooShort { command, needed: length.saturating_add(1), got: length }
-        }
+fn explain(command: &'static str, length: usize, fault: &Fault) -> DecodeError {
+    DecodeError::Truncated {
+        command,
+        field: fault.field,
+        offset: length.saturating_sub(fault.left),
+        needed: fault.needed,
+        got: fault.left,
     }
 }

@@ -90,16 +90,61 @@ fn read(structure: &Structure) -> TokenStream {
         }
     });
     let construction = structure.construction();
+    let read_fixed = read_fixed(structure, &lifetime, &context_type);
+    let whole = read_fixed.is_some().then(|| {
+        local! {
+            if <Self as crate::wire::Layout>::FIXED {
+                return crate::wire::read_whole(input, context);
+            }
+        }
+    });
     local! {
         impl #generics crate::wire::FromWire<#lifetime, #context_type> for #ty {
             #[allow(unused_variables, reason = "only conditions look back at earlier fields")]
             fn read(input: &#lifetime [u8], context: #context_type) -> crate::wire::Read<#lifetime, Self> {
+                #whole
                 #context
                 #(#steps)*
                 ::core::result::Result::Ok((input, #construction))
             }
+
+            #read_fixed
         }
     }
+}
+
+/// How a struct is read that always has the same length: one check, then fields at fixed offsets.
+fn read_fixed(
+    structure: &Structure,
+    lifetime: &TokenStream,
+    context_type: &TokenStream,
+) -> Option<TokenStream> {
+    let varies = |field: &Field| field.is_option || field.arguments.count.is_some();
+    if structure.fields.iter().any(varies) {
+        return None;
+    }
+    let context = bind_context(structure);
+    let steps = structure.fields.iter().map(|field| {
+        let (name, ty, held) = (&field.name, &field.ty, held(field));
+        let context = context_of(field);
+        local! {
+            let #held: #ty = crate::wire::FromWire::read_fixed(input, #context)?;
+            let input = input.get(<#ty as crate::wire::Layout>::MIN_LEN..)?;
+            let #name = &#held;
+        }
+    });
+    let construction = structure.construction();
+    Some(local! {
+        #[inline]
+        #[allow(unused_variables, reason = "only conditions look back at earlier fields")]
+        fn read_fixed(input: &#lifetime [u8], context: #context_type) -> ::core::option::Option<Self> {
+            // With its length known, the compiler drops the checks of the fields.
+            let input = input.get(..<Self as crate::wire::Layout>::MIN_LEN)?;
+            #context
+            #(#steps)*
+            ::core::option::Option::Some(#construction)
+        }
+    })
 }
 
 fn read_field(field: &Field) -> TokenStream {

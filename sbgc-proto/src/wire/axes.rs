@@ -39,8 +39,22 @@ macro_rules! groups {
         impl<'a, T: FromWire<'a, C>, C: Copy> FromWire<'a, C> for $group<T> {
             #[inline]
             fn read(input: &'a [u8], context: C) -> Read<'a, Self> {
+                if Self::FIXED {
+                    return super::read_whole(input, context);
+                }
                 $(let (input, $part) = T::read(input, context)?;)*
                 Ok((input, Self { $($part),* }))
+            }
+
+            #[inline]
+            fn read_fixed(input: &'a [u8], context: C) -> Option<Self> {
+                let mut input = input.get(..Self::MIN_LEN)?;
+                $(
+                    let $part = T::read_fixed(input, context)?;
+                    input = input.get(T::MIN_LEN..)?;
+                )*
+                let _ = input;
+                Some(Self { $($part),* })
             }
         }
 
@@ -118,11 +132,25 @@ impl<T: Layout, const N: usize> Layout for [T; N] {
 impl<'a, T: FromWire<'a, C> + Default + Copy, C: Copy, const N: usize> FromWire<'a, C> for [T; N] {
     #[inline]
     fn read(mut input: &'a [u8], context: C) -> Read<'a, Self> {
+        if Self::FIXED {
+            return super::read_whole(input, context);
+        }
         let mut elements = [T::default(); N];
         for element in &mut elements {
             (input, *element) = T::read(input, context)?;
         }
         Ok((input, elements))
+    }
+
+    #[inline]
+    fn read_fixed(input: &'a [u8], context: C) -> Option<Self> {
+        let mut input = input.get(..Self::MIN_LEN)?;
+        let mut elements = [T::default(); N];
+        for element in &mut elements {
+            *element = T::read_fixed(input, context)?;
+            input = input.get(T::MIN_LEN..)?;
+        }
+        Some(elements)
     }
 }
 

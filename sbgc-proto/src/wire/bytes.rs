@@ -1,9 +1,5 @@
 //! Bytes that are not numbers: blocks, reserved areas, texts, and the rest of a payload.
 
-use nom::Parser;
-use nom::multi::length_data;
-use nom::number::complete::le_u8;
-
 use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
 
@@ -35,17 +31,19 @@ macro_rules! blocks {
         impl<'a, const N: usize> FromWire<'a> for $block<N> {
             #[inline]
             fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
-                match input.split_first_chunk() {
-                    Some((bytes, rest)) => Ok((rest, Self(*bytes))),
-                    None => Fault::short(N, input),
-                }
+                super::read_whole(input, ())
+            }
+
+            #[inline]
+            fn read_fixed(input: &'a [u8], (): ()) -> Option<Self> {
+                input.first_chunk().map(|bytes| Self(*bytes))
             }
         }
 
         impl<const N: usize> ToWire for $block<N> {
             #[inline]
             fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
-                out.put(&self.0)
+                out.put_array(&self.0)
             }
         }
 
@@ -154,12 +152,11 @@ impl Layout for Text<'_> {
 
 impl<'a> FromWire<'a> for Text<'a> {
     fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
-        length_data(le_u8).map(Text).parse(input).map_err(|error: nom::Err<Fault>| {
-            error.map(|fault| match input.first() {
-                Some(length) => Fault { needed: 1 + usize::from(*length), left: input.len(), ..fault },
-                None => Fault { needed: 1, ..fault },
-            })
-        })
+        let Some((&length, text)) = input.split_first() else { return Fault::short(1, input) };
+        match text.split_at_checked(usize::from(length)) {
+            Some((text, rest)) => Ok((rest, Text(text))),
+            None => Fault::short(1 + usize::from(length), input),
+        }
     }
 }
 
@@ -181,7 +178,7 @@ impl Layout for &[u8] {
 /// All that is left of the payload. Spec type `Nb` without a number.
 impl<'a> FromWire<'a> for &'a [u8] {
     fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
-        nom::combinator::rest(input)
+        Ok((&[], input))
     }
 }
 

@@ -3,8 +3,8 @@
 use heapless::Vec;
 use nom::Parser;
 use nom::combinator::complete;
+use nom::error::{ErrorKind, ParseError};
 use nom::multi::fold;
-use nom::number::complete::le_u8;
 
 use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
@@ -78,6 +78,19 @@ impl<T, const N: usize> FromIterator<T> for List<T, N> {
     }
 }
 
+/// A [`Fault`] as nom carries it.
+struct Unparsed(Fault);
+
+impl ParseError<&[u8]> for Unparsed {
+    fn from_error_kind(input: &[u8], _kind: ErrorKind) -> Self {
+        Self(Fault { field: "", needed: input.len().saturating_add(1), left: input.len() })
+    }
+
+    fn append(_input: &[u8], _kind: ErrorKind, other: Self) -> Self {
+        other
+    }
+}
+
 impl<T: Layout, const N: usize> Layout for List<T, N> {
     const MIN_LEN: usize = 0;
     const MAX_LEN: usize = N * T::MAX_LEN;
@@ -93,7 +106,7 @@ impl<T, const N: usize> List<T, N> {
     where
         T: FromWire<'a, C>,
     {
-        let (input, count) = le_u8(input).map_err(|error| Fault::named(error, field))?;
+        let (input, count) = u8::read(input, ()).map_err(|fault| fault.named(field))?;
         Self::read_exactly(usize::from(count), field, input, context)
     }
 
@@ -109,16 +122,9 @@ impl<T, const N: usize> List<T, N> {
     {
         if count > N {
             // More than the longest payload could hold.
-            return Err(Fault::named(
-                nom::Err::Error(Fault {
-                    field: "",
-                    needed: count.saturating_mul(T::MIN_LEN),
-                    left: input.len(),
-                }),
-                field,
-            ));
+            return Err(Fault { field, needed: count.saturating_mul(T::MIN_LEN), left: input.len() });
         }
-        Self::read_some(count, count, input, context).map_err(|error| Fault::named(error, field))
+        Self::read_some(count, count, input, context).map_err(|fault| fault.named(field))
     }
 
     /// Reads `count` elements, or fewer where the payload ends after one.
@@ -131,7 +137,7 @@ impl<T, const N: usize> List<T, N> {
     where
         T: FromWire<'a, C>,
     {
-        Self::read_some(0, count.min(N), input, context).map_err(|error| Fault::named(error, field))
+        Self::read_some(0, count.min(N), input, context).map_err(|fault| fault.named(field))
     }
 
     fn read_some<'a, C: Copy>(least: usize, most: usize, input: &'a [u8], context: C) -> Read<'a, Self>
@@ -143,14 +149,23 @@ impl<T, const N: usize> List<T, N> {
         }
         let element = complete(|input: &'a [u8]| {
             // An element of no bytes would repeat for ever.
-            if input.is_empty() { Fault::short(T::MIN_LEN.max(1), input) } else { T::read(input, context) }
+            let element = if input.is_empty() {
+                Fault::short(T::MIN_LEN.max(1), input)
+            } else {
+                T::read(input, context)
+            };
+            element.map_err(|fault| nom::Err::Error(Unparsed(fault)))
         });
         let mut elements = fold(least..=most, element, Self::new, |mut list, element| {
             // `most` is within the capacity.
             let _ = list.push(element);
             list
         });
-        elements.parse(input)
+        elements.parse(input).map_err(|error| match error {
+            nom::Err::Error(Unparsed(fault)) | nom::Err::Failure(Unparsed(fault)) => fault,
+            // No parser here asks for more input.
+            nom::Err::Incomplete(_) => Unparsed::from_error_kind(input, ErrorKind::Complete).0,
+        })
     }
 
     fn write_all<C: Copy>(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError>

@@ -4,8 +4,9 @@
 //! floats, arrays, per-axis groups, lists, texts, reserved bytes, bit fields. Physical quantities are in
 //! [`units`](crate::units), whole payloads in [`commands`](crate::commands).
 //!
-//! All numbers are little-endian and packed. [`FromWire::read`] has the shape of a [`nom`] parser, so `T::read` can be
-//! handed to nom's combinators; the parts whose length the payload itself decides (lists, texts) are parsed by them.
+//! All numbers are little-endian and packed. What always has the same length is read at fixed offsets of a slice that is
+//! known to be long enough, without a step that can fail for each field; lists, whose length the payload decides, are
+//! parsed by nom.
 
 mod axes;
 mod bits;
@@ -33,7 +34,7 @@ pub(crate) use bits::{BitField, bit_enums, bit_fields, first_doc, flags, spec_na
 #[cfg(any(feature = "serde", test))]
 pub(crate) use bytes::Hex;
 pub(crate) use number::number_type;
-pub(crate) use option::{read_field, read_tail, read_when, write_tail, write_when};
+pub(crate) use option::{read_field, read_tail, read_when, read_whole, write_tail, write_when};
 pub(crate) use slot::fixed;
 
 use crate::EncodeError;
@@ -44,6 +45,8 @@ pub trait Layout: Sized {
     const MIN_LEN: usize;
     /// The most bytes.
     const MAX_LEN: usize;
+    /// Whether it always takes the same number of bytes.
+    const FIXED: bool = Self::MIN_LEN == Self::MAX_LEN;
     /// The places of the fields, for a declared struct.
     #[doc(hidden)]
     const SLOTS: &'static [Slot] = &[];
@@ -52,7 +55,18 @@ pub trait Layout: Sized {
 /// Can be read from the bytes of a payload. `C` is what must be known besides them, `()` for most.
 pub trait FromWire<'a, C = ()>: Layout {
     /// Reads a value from the front of `input` and returns what follows it.
+    ///
+    /// # Errors
+    /// If the input ends too early.
     fn read(input: &'a [u8], context: C) -> Read<'a, Self>;
+
+    /// Reads a value of [fixed](Layout::FIXED) length from the front of `input`, or nothing where that is shorter.
+    ///
+    /// No error to build and no rest to return, so it comes down to loads from fixed offsets.
+    #[inline]
+    fn read_fixed(input: &'a [u8], context: C) -> Option<Self> {
+        Self::read(input, context).ok().map(|(_, value)| value)
+    }
 }
 
 /// Can be written as bytes of a payload. `C` is the same as in [`FromWire`].

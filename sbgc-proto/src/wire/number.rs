@@ -1,6 +1,6 @@
 //! Integers and floats, and the rule by which every type that is one number on the wire gets its codec.
 
-use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
+use super::{FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
 
 /// A named raw value: of an enumeration, a flag, or a special case of a number.
@@ -24,17 +24,19 @@ macro_rules! integers {
         impl<'a> FromWire<'a> for $integer {
             #[inline]
             fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
-                match input.split_first_chunk() {
-                    Some((bytes, rest)) => Ok((rest, $integer::from_le_bytes(*bytes))),
-                    None => Fault::short(size_of::<$integer>(), input),
-                }
+                super::read_whole(input, ())
+            }
+
+            #[inline]
+            fn read_fixed(input: &'a [u8], (): ()) -> Option<Self> {
+                input.first_chunk().map(|bytes| $integer::from_le_bytes(*bytes))
             }
         }
 
         impl ToWire for $integer {
             #[inline]
             fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
-                out.put(&self.to_le_bytes())
+                out.put_array(&self.to_le_bytes())
             }
         }
 
@@ -81,6 +83,12 @@ macro_rules! number_type {
             fn read(input: &'a [u8], (): ()) -> $crate::wire::Read<'a, Self> {
                 let (input, $raw) = <$integer as $crate::wire::FromWire>::read(input, ())?;
                 Ok((input, $from))
+            }
+
+            #[inline]
+            fn read_fixed(input: &'a [u8], (): ()) -> Option<Self> {
+                let $raw = <$integer as $crate::wire::FromWire>::read_fixed(input, ())?;
+                Some($from)
             }
         }
 
@@ -143,16 +151,18 @@ impl Layout for U24 {
 
 impl<'a> FromWire<'a> for U24 {
     fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
-        match input.split_first_chunk() {
-            Some((bytes, rest)) => Ok((rest, Self(*bytes))),
-            None => Fault::short(3, input),
-        }
+        super::read_whole(input, ())
+    }
+
+    #[inline]
+    fn read_fixed(input: &'a [u8], (): ()) -> Option<Self> {
+        input.first_chunk().map(|bytes| Self(*bytes))
     }
 }
 
 impl ToWire for U24 {
     fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
-        out.put(&self.0)
+        out.put_array(&self.0)
     }
 }
 

@@ -10,7 +10,16 @@ pub(crate) fn read_field<'a, T: FromWire<'a, C>, C>(
     input: &'a [u8],
     context: C,
 ) -> Read<'a, T> {
-    T::read(input, context).map_err(|error| Fault::named(error, field))
+    T::read(input, context).map_err(|fault| fault.named(field))
+}
+
+/// Reads a value of fixed length and returns what follows it.
+#[inline]
+pub(crate) fn read_whole<'a, T: FromWire<'a, C>, C>(input: &'a [u8], context: C) -> Read<'a, T> {
+    match (T::read_fixed(input, context), input.get(T::MIN_LEN..)) {
+        (Some(value), Some(rest)) => Ok((rest, value)),
+        _ => Fault::short(T::MIN_LEN, input),
+    }
 }
 
 /// Reads a field that is there when `present`.

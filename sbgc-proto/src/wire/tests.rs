@@ -122,9 +122,9 @@ fn tails_end_where_the_payload_ends() {
         Err(DecodeError::Truncated {
             command: "CMD_CALIB_ACC",
             field: "THIRD",
-            offset: 4,
-            needed: 1,
-            got: 0
+            offset: 3,
+            needed: 3,
+            got: 1
         })
     );
     assert_eq!(Tails::decode_prefix(&[1, 2, 3, 4, 5, 6, 7]).unwrap().1, [7]);

@@ -25,20 +25,41 @@ impl<'o> Writer<'o> {
         self.length == 0
     }
 
+    /// Appends so many bytes.
+    ///
+    /// # Errors
+    /// [`EncodeError::BufferTooSmall`] if they do not fit; nothing is written then.
+    #[inline]
+    pub fn put_array<const N: usize>(&mut self, bytes: &[u8; N]) -> Result<(), EncodeError> {
+        match self.buffer.get_mut(self.length..).and_then(<[u8]>::first_chunk_mut) {
+            Some(place) => {
+                *place = *bytes;
+                self.length += N;
+                Ok(())
+            }
+            None => Err(self.full(N)),
+        }
+    }
+
     /// Appends `bytes`.
     ///
     /// # Errors
     /// [`EncodeError::BufferTooSmall`] when they do not fit; nothing is written then.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeError> {
         let end = self.length.saturating_add(bytes.len());
-        let capacity = self.buffer.len();
         match self.buffer.get_mut(self.length..end) {
             Some(place) => {
-                place.copy_from_slice(bytes);
+                // Not `copy_from_slice`, whose panic the smallest builds keep.
+                place.iter_mut().zip(bytes).for_each(|(place, byte)| *place = *byte);
                 self.length = end;
                 Ok(())
             }
-            None => Err(EncodeError::BufferTooSmall { needed: end, capacity }),
+            None => Err(self.full(bytes.len())),
         }
+    }
+
+    #[cold]
+    fn full(&self, more: usize) -> EncodeError {
+        EncodeError::BufferTooSmall { needed: self.length.saturating_add(more), capacity: self.buffer.len() }
     }
 }

@@ -146,7 +146,7 @@ fn chosen_data_stand_in_the_order_of_the_bits() {
             command: "CMD_REALTIME_DATA_CUSTOM",
             field: "IMU_ANGLES_RAD",
             offset: 51,
-            needed: 4,
+            needed: 12,
             got: 0
         })
     );

@@ -86,6 +86,20 @@ pub enum Error {
         /// The interval at which it runs, in milliseconds.
         running_ms: u16,
     },
+    /// A stream runs whose samples could be mistaken for those of this one, or for the answer to this request.
+    #[error(
+        "{command}: a stream runs whose samples nothing distinguishes from these; end it, choose fields of another length, or include the flags where the firmware has that"
+    )]
+    Indistinct {
+        /// The spec's name of the command.
+        command: &'static str,
+    },
+    /// As many streams run as a board registers.
+    #[error("{maximum} data streams are running, which is the maximum; end one first")]
+    TooManyStreams {
+        /// How many can run.
+        maximum: usize,
+    },
     /// The gimbal did not reach its target in time. It may still be moving.
     #[error(
         "the target was not reached within {}; check that the motors are on and that nothing blocks them, or allow more time",
@@ -174,6 +188,32 @@ pub enum Error {
         /// Address or offset of the difference.
         at: u32,
     },
+    /// The port is open, and nothing comes from it.
+    #[error("no board answers on {address} ({}); check power and cable", TriedHint(.lines, *.version, *.after))]
+    Silent {
+        /// The port or the address.
+        address: String,
+        /// The settings of the serial line that were tried; empty where there is none.
+        lines: Vec<(u32, bool)>,
+        /// The number of the version that was tried, `None` for both.
+        version: Option<u8>,
+        /// How long was searched.
+        after: Duration,
+    },
+    /// Something comes from the port, and it is not the protocol of these boards.
+    #[error(
+        "what talks on {address} is not a SimpleBGC32 board{}; first bytes:{}",
+        if *.mavlink { " but MAVLink; set the port of the board to the serial API, or choose another port" } else { "" },
+        Hex(.first)
+    )]
+    OtherProtocol {
+        /// The port or the address.
+        address: String,
+        /// Whether it is MAVLink.
+        mavlink: bool,
+        /// The first bytes that came.
+        first: Bytes,
+    },
     /// There is no such port.
     #[error("there is no port {name}; {}", PortList(.available))]
     NoSuchPort {
@@ -238,6 +278,8 @@ impl Error {
 
 /// A time as people say it.
 struct Rounded(Duration);
+struct TriedHint<'a>(&'a [(u32, bool)], Option<u8>, Duration);
+struct Hex<'a>(&'a [u8]);
 struct NameOf(Option<&'static str>);
 struct DataOf<'a>(&'a Bytes);
 struct PortList<'a>(&'a [String]);
@@ -254,6 +296,31 @@ impl std::fmt::Display for Rounded {
                 rest => write!(f, "{}.{rest} s", tenths / 10),
             }
         }
+    }
+}
+
+impl std::fmt::Display for TriedHint<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let Self(lines, version, after) = *self;
+        f.write_str("tried ")?;
+        for (index, (baud, even)) in lines.iter().enumerate() {
+            let comma = if index > 0 { ", " } else { "" };
+            write!(f, "{comma}{baud}{}", if *even { " even parity" } else { "" })?;
+        }
+        if !lines.is_empty() {
+            f.write_str(" baud, ")?;
+        }
+        match version {
+            Some(version) => write!(f, "version {version}")?,
+            None => f.write_str("versions 1 and 2")?,
+        }
+        write!(f, ", in {}", Rounded(after))
+    }
+}
+
+impl std::fmt::Display for Hex<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.iter().try_for_each(|byte| write!(f, " {byte:02x}"))
     }
 }
 

@@ -15,6 +15,7 @@
 //!   machine                the rules of the driver, without I/O
 //!   task                   moves bytes and time
 //!   gimbal                 the handle
+//!   connect                opening, detection
 //!   streams                data streams
 //!   motion                 moves that are waited for
 //!   proxy                  one board, several clients
@@ -92,6 +93,7 @@ pub mod actions;
 #[cfg(feature = "capture")]
 pub mod capture;
 mod checked;
+pub mod connect;
 pub mod control;
 mod error;
 pub mod gimbal;
@@ -107,9 +109,10 @@ pub mod streams;
 mod task;
 pub mod transport;
 
+pub use connect::{ConnectOptions, detect};
 pub use control::{ControlSession, SessionOptions, Setpoint};
 pub use error::{Error, Result};
-pub use gimbal::{Answer, Connection, Gimbal, Options, VersionChoice};
+pub use gimbal::{Answer, Connection, Found, Gimbal, Options, VersionChoice};
 pub use machine::{LinkCounters, LinkState};
 pub use sbgc_proto as proto;
 pub use streams::{Sample, StreamRequest, Subscription, TypedStream};

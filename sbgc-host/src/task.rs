@@ -3,6 +3,7 @@
 //! Handles call the machine directly and wake the task. Nothing here waits for reading, writing or time alone, so a peer
 //! that does not read cannot keep it from reading.
 
+use std::future::poll_fn;
 use std::io;
 use std::pin::{Pin, pin};
 use std::sync::atomic::AtomicBool;
@@ -10,12 +11,15 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::task::{Context, Poll, Waker, ready};
 use std::time::Duration;
 
+use backon::{BackoffBuilder, ExponentialBackoff, ExponentialBuilder};
 use bytes::Bytes;
 use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt, ReadBuf};
 use tokio::sync::{Notify, oneshot, watch};
-use tokio::time::{Instant, Sleep, sleep_until, timeout};
+use tokio::time::{Instant, Sleep, sleep, sleep_until, timeout};
 
-use crate::machine::{Failure, LinkState, Machine, Setup, Waiter};
+use crate::error::Result;
+use crate::machine::{Failure, LinkState, Machine, Setup, Trouble, Waiter};
+use crate::transport::Io;
 
 /// How much is read at once.
 const READ_SIZE: usize = 4096;
@@ -25,6 +29,15 @@ const SHUTDOWN: Duration = Duration::from_secs(1);
 
 /// Clocks have an end, too; a timer is set to this far ahead at most, a day.
 const FARTHEST: Duration = Duration::from_hours(24);
+
+/// Pauses between attempts to open the port again.
+const SHORTEST_PAUSE: Duration = Duration::from_millis(200);
+const LONGEST_PAUSE: Duration = Duration::from_secs(5);
+
+fn pauses() -> ExponentialBackoff {
+    let pauses = ExponentialBuilder::new().with_factor(2.0).with_jitter().without_max_times();
+    pauses.with_min_delay(SHORTEST_PAUSE).with_max_delay(LONGEST_PAUSE).build()
+}
 
 /// Who waits for an answer: a future that may have been dropped meanwhile.
 pub(crate) type Reply = oneshot::Sender<Result<Bytes, Failure>>;
@@ -75,8 +88,9 @@ impl Link {
     pub(crate) fn call<T>(&self, work: impl FnOnce(&mut Machine<Reply>, Duration) -> T) -> T {
         let mut driver = self.lock();
         let value = work(&mut driver.machine, self.started.elapsed());
-        let waker = driver.waker.take();
+        let (waker, state) = (driver.waker.take(), driver.machine.state());
         drop(driver);
+        self.publish(state);
         if let Some(waker) = waker {
             waker.wake();
         }
@@ -92,56 +106,40 @@ impl Link {
         self.driver.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn end(&self, end: impl FnOnce(&mut Machine<Reply>, Duration)) {
-        self.call(end);
-        let state = self.look(Machine::state);
-        self.state.send_replace(state);
-        self.room.notify_waiters();
-    }
-}
-
-/// The task itself.
-#[derive(Debug)]
-pub(crate) struct Task {
-    link: Arc<Link>,
-}
-
-impl Task {
-    pub(crate) fn new(link: Arc<Link>) -> Self {
-        Self { link }
-    }
-
-    /// Serves the port until it fails, all handles are gone or one of them closes it.
-    pub(crate) async fn run(self, io: impl AsyncRead + AsyncWrite + Unpin) -> io::Result<()> {
-        let mut io = io;
-        let mut input = vec![0; READ_SIZE];
-        let mut timer = pin!(sleep_until(self.link.started));
-        let outcome =
-            std::future::poll_fn(|context| self.poll(context, &mut io, &mut input, timer.as_mut())).await;
-        match &outcome {
-            // The other side need not care, and may be gone.
-            Ok(()) => drop(timeout(SHUTDOWN, io.shutdown()).await),
-            Err(error) => {
-                tracing::debug!(%error, "port lost");
-                self.link.end(Machine::lost);
-            }
+    /// Tells those who watch the state when it has changed.
+    fn publish(&self, state: LinkState) {
+        if *self.state.borrow() != state {
+            self.state.send_replace(state);
+            self.room.notify_waiters();
         }
-        // Whoever waits for the end may open the port again at once.
-        drop(io);
-        outcome
     }
 
+    /// Moves what can be moved. Ready when the port is to be given back, or is gone.
     fn poll(
         &self,
         context: &mut Context<'_>,
-        io: &mut (impl AsyncRead + AsyncWrite + Unpin),
+        io: &mut Io,
+        input: &mut [u8],
+        timer: Pin<&mut Sleep>,
+    ) -> Poll<io::Result<()>> {
+        let mut driver = self.lock();
+        let outcome = self.turn(&mut driver, context, io, input, timer);
+        let state = driver.machine.state();
+        drop(driver);
+        self.publish(state);
+        outcome
+    }
+
+    fn turn(
+        &self,
+        Driver { machine, waker }: &mut Driver,
+        context: &mut Context<'_>,
+        io: &mut Io,
         input: &mut [u8],
         mut timer: Pin<&mut Sleep>,
     ) -> Poll<io::Result<()>> {
-        let mut driver = self.link.lock();
-        let Driver { machine, waker } = &mut *driver;
         loop {
-            let now = self.link.started.elapsed();
+            let now = self.started.elapsed();
             let full = !machine.has_room();
             loop {
                 let pending = machine.pending(now);
@@ -155,10 +153,16 @@ impl Task {
                 }
             }
             if full && machine.has_room() {
-                self.link.room.notify_waiters();
+                self.room.notify_waiters();
             }
             if machine.is_done(now) {
                 return Poll::Ready(Ok(()));
+            }
+            if let Some(trouble) = machine.trouble() {
+                return Poll::Ready(Err(io::Error::other(match trouble {
+                    Trouble::Silent => "the board does not answer",
+                    Trouble::Replaced => "another board answers",
+                })));
             }
             let mut read = ReadBuf::new(input);
             if Pin::new(&mut *io).poll_read(context, &mut read)?.is_ready() {
@@ -170,7 +174,7 @@ impl Task {
             }
             waker.get_or_insert_with(|| context.waker().clone()).clone_from(context.waker());
             let Some(wake) = machine.next_wake(now) else { return Poll::Pending };
-            let wake = self.link.started + wake.min(now + FARTHEST);
+            let wake = self.started + wake.min(now + FARTHEST);
             // A timer that goes off too early costs less than setting it anew for each request.
             if timer.is_elapsed() || wake < timer.deadline() {
                 timer.as_mut().reset(wake);
@@ -178,11 +182,97 @@ impl Task {
             ready!(timer.as_mut().poll(context));
         }
     }
+
+    /// Waits until the link is closed from this side.
+    async fn closed(&self) {
+        poll_fn(|context| {
+            let mut driver = self.lock();
+            driver.waker = Some(context.waker().clone());
+            if driver.machine.is_ending() { Poll::Ready(()) } else { Poll::Pending }
+        })
+        .await;
+    }
+}
+
+/// Opens the port again.
+pub(crate) type Dial = Box<dyn FnMut() -> Pin<Box<dyn Future<Output = Result<Io>> + Send>> + Send>;
+
+/// The task itself.
+pub(crate) struct Task {
+    link: Arc<Link>,
+    dial: Option<Dial>,
+}
+
+impl Task {
+    pub(crate) fn new(link: Arc<Link>, dial: Option<Dial>) -> Self {
+        Self { link, dial }
+    }
+
+    /// Serves the port until it fails for good, all handles are gone or one of them closes it.
+    pub(crate) async fn run(mut self, mut io: Io) -> io::Result<()> {
+        let link = Arc::clone(&self.link);
+        let mut input = vec![0; READ_SIZE];
+        let mut timer = pin!(sleep_until(link.started));
+        let mut pauses = pauses();
+        loop {
+            let served = poll_fn(|context| link.poll(context, &mut io, &mut input, timer.as_mut())).await;
+            let Err(error) = served else { break };
+            drop(io);
+            tracing::debug!(%error, "port lost");
+            // A link that worked begins with short pauses again.
+            if link.look(Machine::state) == LinkState::Open {
+                pauses = self::pauses();
+            }
+            let went_on = link.call(|machine, now| {
+                let goes_on = self.dial.is_some() && machine.can_go_on();
+                if goes_on {
+                    machine.down(now);
+                } else {
+                    machine.lost(now);
+                }
+                goes_on
+            });
+            if !went_on {
+                return Err(error);
+            }
+            match self.redial(&mut pauses).await {
+                Some(again) => io = again,
+                None => return Ok(()),
+            }
+            link.call(Machine::up);
+        }
+        // The other side need not care, and may be gone.
+        drop(timeout(SHUTDOWN, io.shutdown()).await);
+        // Whoever waits for the end may open the port again at once.
+        drop(io);
+        Ok(())
+    }
+
+    /// Opens the port again, with longer and longer pauses. `None` if the link is closed meanwhile.
+    async fn redial(&mut self, pauses: &mut ExponentialBackoff) -> Option<Io> {
+        let dial = self.dial.as_mut()?;
+        loop {
+            let pause = pauses.next().unwrap_or(LONGEST_PAUSE);
+            tokio::select! {
+                biased;
+                () = self.link.closed() => return None,
+                () = sleep(pause) => {}
+            }
+            tokio::select! {
+                biased;
+                () = self.link.closed() => return None,
+                opened = dial() => match opened {
+                    Ok(io) => return Some(io),
+                    Err(error) => tracing::debug!(%error, "port still lost"),
+                },
+            }
+        }
+    }
 }
 
 impl Drop for Task {
     /// However it ends, nobody goes on waiting for it.
     fn drop(&mut self) {
-        self.link.end(|machine, _| machine.closed_port());
+        self.link.call(|machine, _| machine.closed_port());
     }
 }

@@ -6,10 +6,14 @@ use std::pin::pin;
 
 use futures_core::Stream;
 use sbgc_host::proto::CommandId;
-use sbgc_host::proto::commands::{Angles, RealtimeDataCustom, RealtimeDataCustomFlags, StreamSource};
-use sbgc_host::streams::Item;
+use sbgc_host::proto::commands::{
+    Angles, EventId, EventTypes, RealtimeDataCustom, RealtimeDataCustomFlags, RealtimeDataCustomRequest,
+    StreamSource,
+};
+use sbgc_host::streams::{Interruption, Item};
 use sbgc_host::{Error, Options, Sample, StreamRequest, Subscription};
 use support::*;
+use tokio::time::Instant;
 
 const REQUEST: StreamRequest = StreamRequest::new(CommandId::RealtimeData4, 20);
 
@@ -42,7 +46,7 @@ async fn samples_come_until_the_last_subscriber_leaves() {
     assert_eq!(payload(first.next().await), b"abc");
     assert_eq!(payload(second.next().await), b"abc");
     drop(first);
-    assert!(board.is_quiet(MS(1000)).await);
+    assert!(board.is_quiet(MS(200)).await);
     drop(second);
     assert_eq!(board.confirm_stream().await, start(0));
     assert!(board.is_quiet(MS(1000)).await);
@@ -55,7 +59,7 @@ async fn equal_requests_wait_for_one_confirmation() {
         tokio::join!(gimbal.subscribe(REQUEST), gimbal.subscribe(REQUEST), board.confirm_stream());
     assert_eq!(payload, start(20));
     let _both = (one.unwrap(), two.unwrap());
-    assert!(board.is_quiet(MS(1000)).await);
+    assert!(board.is_quiet(MS(200)).await);
 }
 
 #[tokio::test(start_paused = true)]
@@ -64,7 +68,7 @@ async fn another_interval_is_refused() {
     let _running = subscribe(&gimbal, &mut board).await;
     let error = gimbal.subscribe(StreamRequest { interval_ms: 300, ..REQUEST }).await.unwrap_err();
     assert!(matches!(error, Error::StreamInUse { running_ms: 20, .. }), "{error}");
-    assert!(board.is_quiet(MS(1000)).await);
+    assert!(board.is_quiet(MS(200)).await);
 }
 
 #[tokio::test(start_paused = true)]
@@ -185,9 +189,140 @@ async fn samples_that_need_a_context() {
     let request = StreamRequest::of(StreamSource::RealtimeDataCustom(flags), 10);
     let (subscription, _) = tokio::join!(gimbal.subscribe(request), board.confirm_stream());
     let mut samples = subscription.unwrap().typed_with::<RealtimeDataCustom, _>(flags);
-    // Another stream of the same command, told apart by its length.
+    // Another program has the board send something else.
     board.send(88, &[0; 20]).await;
+    assert_eq!(samples.next().await, Some(Item::WrongLength { expected: 8, got: 20 }));
     board.send(88, &[0x10, 0x27, 0x00, 0x10, 0, 0, 0, 0xF8]).await;
     let Some(Item::Message(data)) = samples.next().await else { panic!("a message") };
     assert_eq!(data.timestamp_ms, 10_000);
+}
+
+/// Sends a sample each 20 ms for so long.
+async fn samples_for(board: &mut Board, millis: u64) {
+    for _ in 0..millis / 20 {
+        board.send(REALTIME_4, b"abc").await;
+        tokio::time::sleep(MS(20)).await;
+    }
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_stream_that_falls_silent_is_registered_again() {
+    let (gimbal, mut board) = gimbal();
+    let mut samples = subscribe(&gimbal, &mut board).await;
+    samples_for(&mut board, 1000).await;
+    for _ in 0..50 {
+        assert_eq!(payload(samples.next().await), b"abc");
+    }
+    // The board is deaf at first, as after it was switched on.
+    for _ in 0..3 {
+        assert_eq!(board.expect(STREAM).await.payload, start(20));
+    }
+    assert_eq!(samples.next().await, Some(Sample::Interrupted(Interruption::Silent)));
+    assert_eq!(board.confirm_stream().await, start(20));
+    samples_for(&mut board, 100).await;
+    assert!(matches!(samples.next().await, Some(Sample::Resumed(after)) if after > MS(1000)));
+    assert_eq!(payload(samples.next().await), b"abc");
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_stream_that_is_refused_after_an_interruption_ends() {
+    let (gimbal, mut board) = gimbal();
+    let mut samples = subscribe(&gimbal, &mut board).await;
+    board.expect(STREAM).await;
+    board.send(255, &[STREAM, 9, 0, 0, 0, 0]).await;
+    assert_eq!(samples.next().await, Some(Sample::Interrupted(Interruption::Silent)));
+    assert_eq!(samples.next().await, Some(Sample::Interrupted(Interruption::Refused)));
+    assert_eq!(samples.next().await, None);
+}
+
+#[tokio::test(start_paused = true)]
+async fn streams_come_back_after_a_reset_that_the_board_announces() {
+    let (gimbal, mut board) = gimbal();
+    let source = StreamSource::Event { event_id: EventId::MotorState, event_type: EventTypes::all() };
+    let (events, _) = tokio::join!(gimbal.subscribe(StreamRequest::of(source, 100)), board.confirm_stream());
+    let mut events = events.unwrap();
+    let began = Instant::now();
+    board.send(114, &[]).await;
+    assert_eq!(events.next().await, Some(Sample::Interrupted(Interruption::Reset)));
+    let again = board.confirm_stream().await;
+    assert_eq!((again[0], since(began)), (102, 1500));
+    assert!(matches!(events.next().await, Some(Sample::Resumed(_))));
+    // Should the reset have come later than this, nothing else would show it.
+    board.confirm_stream().await;
+    assert_eq!(since(began), 15_000);
+    board.send(102, &[2, 2, 0, 0]).await;
+    assert_eq!(payload(events.next().await), [2, 2, 0, 0]);
+}
+
+#[tokio::test(start_paused = true)]
+async fn streams_that_nothing_tells_apart_do_not_run_together() {
+    let (gimbal, mut board) = gimbal();
+    let custom = |flags| StreamRequest::of(StreamSource::RealtimeDataCustom(flags), 100);
+    let angles = RealtimeDataCustomFlags::IMU_ANGLES;
+    let (running, _) = tokio::join!(gimbal.subscribe(custom(angles)), board.confirm_stream());
+    let targets = RealtimeDataCustomFlags::TARGET_ANGLES;
+    assert!(matches!(gimbal.subscribe(custom(targets)).await, Err(Error::Indistinct { .. })));
+    let once = RealtimeDataCustomRequest::new(targets).unwrap();
+    assert!(matches!(gimbal.exchange(&once).await, Err(Error::Indistinct { .. })));
+    // Another length tells answer and samples apart.
+    let both = RealtimeDataCustomRequest::new(angles | targets).unwrap();
+    let (answer, ()) = tokio::join!(gimbal.exchange(&both), async {
+        board.expect(88).await;
+        board.send(88, &[1; 8]).await;
+        board.send(88, &[2; 14]).await;
+        board.send(88, &[3; 8]).await;
+    });
+    assert_eq!(answer.unwrap().payload()[..], [2; 14]);
+    let mut running = running.unwrap();
+    assert_eq!((payload(running.next().await), payload(running.next().await)), (vec![1; 8], vec![3; 8]));
+}
+
+#[tokio::test(start_paused = true)]
+async fn cancelled_subscriptions_leave_no_stream_behind() {
+    let (gimbal, mut board) = gimbal();
+    for interval_ms in 20..30 {
+        // A request of the same kind holds the start back.
+        let other = StreamRequest::new(CommandId::RealtimeData3, 50);
+        let request = StreamRequest { interval_ms, ..REQUEST };
+        let (_, _, ()) = tokio::join!(
+            tokio::time::timeout(MS(20), gimbal.subscribe(other)),
+            tokio::time::timeout(MS(20), gimbal.subscribe(request)),
+            tokio::time::sleep(MS(30)),
+        );
+    }
+    let mut running = std::collections::BTreeMap::new();
+    while let Ok(frame) = tokio::time::timeout(MS(20_000), board.next()).await {
+        running.insert(frame.payload[0], frame.payload[1]);
+        board.confirm(STREAM).await;
+    }
+    assert!(running.values().all(|&interval| interval == 0), "{running:?}");
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_end_of_a_stream_is_repeated_until_it_is_confirmed() {
+    let (gimbal, mut board) = gimbal();
+    drop(subscribe(&gimbal, &mut board).await);
+    for _ in 0..5 {
+        assert_eq!(board.expect(STREAM).await.payload, start(0));
+    }
+    // Meanwhile it may be wanted again, at another interval.
+    let request = StreamRequest { interval_ms: 100, ..REQUEST };
+    let (again, payloads) = tokio::join!(gimbal.subscribe(request), async {
+        [board.confirm_stream().await, board.confirm_stream().await]
+    });
+    again.unwrap();
+    assert!(payloads.contains(&start(100)), "{payloads:?}");
+}
+
+#[tokio::test(start_paused = true)]
+async fn no_more_streams_than_a_board_has() {
+    let (gimbal, mut board) = gimbal();
+    let mut kept = Vec::new();
+    for config in 0..10 {
+        let source = StreamSource::Event { event_id: config.into(), event_type: EventTypes::ON };
+        let (one, _) = tokio::join!(gimbal.subscribe(StreamRequest::of(source, 50)), board.confirm_stream());
+        kept.push(one.unwrap());
+    }
+    let error = gimbal.subscribe(REQUEST).await.unwrap_err();
+    assert!(matches!(error, Error::TooManyStreams { maximum: 10 }), "{error}");
 }

@@ -11,6 +11,11 @@ use crate::error::Result;
 /// The first firmware that knows version 2.
 const KNOWS_VERSION_2: FirmwareVersion = FirmwareVersion::new(2, 68, 0);
 
+/// Whether the firmware knows version 2 of the framing.
+pub(crate) fn knows_version_2(info: &BoardInfo) -> bool {
+    info.firmware_ver >= KNOWS_VERSION_2
+}
+
 impl Gimbal {
     /// Asks the board what it is and settles on a version.
     ///
@@ -21,21 +26,37 @@ impl Gimbal {
     /// # Errors
     /// If no board answers.
     pub async fn handshake(&self) -> Result<BoardInfo> {
+        let info = self.probe(Version::V2).await?;
+        self.prefer_version_2(&info).await;
+        Ok(info)
+    }
+
+    /// Asks the board what it is, in both versions if none is chosen, beginning with `first`.
+    pub(crate) async fn probe(&self, first: Version) -> Result<BoardInfo> {
+        self.probe_times(first, self.options.attempts.max(1)).await
+    }
+
+    /// The same with so many attempts after the first two.
+    pub(crate) async fn probe_times(&self, first: Version, attempts: u32) -> Result<BoardInfo> {
         let VersionChoice::Auto = self.options.version else {
-            return self.board_info().await;
+            return self.with_attempts(attempts).board_info().await;
         };
         let (id, payload) = (CommandId::BoardInfo, encode(&BoardInfoRequest {})?);
-        let mut call = self.make_call(id, payload, id, self.options.attempts.max(1))?;
-        call.probe = true;
+        let mut call = self.make_call(id, payload, id, attempts)?;
+        call.probe = Some(first);
         let answer = self.ask_for(id, call).await?;
-        let info = BoardInfo::decode(&answer)?;
-        if self.version() == Version::V1 && info.firmware_ver >= KNOWS_VERSION_2 {
+        Ok(BoardInfo::decode(&answer)?)
+    }
+
+    /// Goes over to version 2 if the firmware knows it and the board answers in it.
+    pub(crate) async fn prefer_version_2(&self, info: &BoardInfo) {
+        let free = self.options.version == VersionChoice::Auto;
+        if free && self.version() == Version::V1 && knows_version_2(info) {
             self.set_version(Version::V2);
-            if self.with_attempts(1).board_info().await.is_err() {
+            if self.with_attempts(2).board_info().await.is_err() {
                 self.set_version(Version::V1);
             }
         }
-        Ok(info)
     }
 
     fn set_version(&self, version: Version) {

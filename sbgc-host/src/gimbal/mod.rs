@@ -5,13 +5,14 @@
 //! this module and use nothing but it.
 
 mod answer;
+mod found;
 mod handshake;
 mod options;
 
 use std::future::Future;
 use std::io;
 use std::pin::Pin;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use std::task::{Context, Poll};
 use std::time::Duration;
 
@@ -23,18 +24,21 @@ use sbgc_proto::commands::{
 };
 use sbgc_proto::frame::{MAX_PAYLOAD, Version};
 use sbgc_proto::wire::{FromWire, ToWire};
-use sbgc_proto::{CommandId, Direction, EncodeError, Message, Request};
+use sbgc_proto::{CommandId, Direction, EncodeError, Expected, Message, Request, RequestInfo};
 use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::sync::{oneshot, watch};
 use tokio::time::timeout;
 
 pub use answer::Answer;
+pub use found::Found;
+pub(crate) use handshake::knows_version_2;
 pub(crate) use options::LONGEST;
 pub use options::{Options, VersionChoice};
 
 use crate::error::{Error, Result};
-use crate::machine::{Call, Failure, Key, LinkCounters, LinkState, Machine, Priority};
-use crate::task::{Link, Task};
+use crate::machine::{Call, Failure, LinkCounters, LinkState, MAX_STREAMS, Machine, Priority};
+use crate::task::{Dial, Link, Task};
+use crate::transport::Io;
 
 /// A board at the other end of a link.
 ///
@@ -53,6 +57,8 @@ struct Handle {
     link: Arc<Link>,
     /// Whose turn it is to hand over a command, once as many wait as may.
     turn: tokio::sync::Mutex<()>,
+    /// What was found when it was opened.
+    found: OnceLock<Found>,
 }
 
 impl Drop for Handle {
@@ -75,6 +81,20 @@ impl Future for Connection {
     }
 }
 
+impl Connection {
+    pub(crate) fn spawn(self) {
+        let span = tracing::debug_span!("link");
+        tokio::spawn(tracing::Instrument::instrument(
+            async move {
+                if let Err(error) = self.await {
+                    tracing::warn!(%error, "the port failed");
+                }
+            },
+            span,
+        ));
+    }
+}
+
 impl std::fmt::Debug for Connection {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Connection").finish_non_exhaustive()
@@ -93,9 +113,14 @@ impl Gimbal {
     where
         Io: AsyncRead + AsyncWrite + Unpin + Send + 'static,
     {
+        Self::with_dial(Box::new(io), options, None)
+    }
+
+    /// Like [`new`](Self::new); a port that is lost is opened again by `dial`, once it is known who the board is.
+    pub(crate) fn with_dial(io: Io, options: Options, dial: Option<Dial>) -> (Self, Connection) {
         let link = Arc::new(Link::new(options.setup()));
-        let task = Task::new(Arc::clone(&link));
-        let handle = Arc::new(Handle { link, turn: tokio::sync::Mutex::default() });
+        let task = Task::new(Arc::clone(&link), dial);
+        let handle = Arc::new(Handle { link, turn: tokio::sync::Mutex::default(), found: OnceLock::new() });
         (Self { handle, options }, Connection(Box::pin(task.run(io))))
     }
 
@@ -108,11 +133,7 @@ impl Gimbal {
         Io: AsyncRead + AsyncWrite + Unpin + Send + 'static,
     {
         let (gimbal, connection) = Self::new(io, options);
-        tokio::spawn(async move {
-            if let Err(error) = connection.await {
-                tracing::warn!(%error, "the port failed");
-            }
-        });
+        connection.spawn();
         gimbal
     }
 
@@ -128,6 +149,16 @@ impl Gimbal {
     pub fn with_attempts(&self, attempts: u32) -> Self {
         let options = Options { attempts, ..self.options };
         Self { options, ..self.clone() }
+    }
+
+    /// What was found when it was [connected](Self::connect); `None` for a handle to a stream of bytes.
+    pub fn found(&self) -> Option<&Found> {
+        self.handle.found.get()
+    }
+
+    pub(crate) fn set_found(&self, found: Found) {
+        // It is set once.
+        let _ = self.handle.found.set(found);
     }
 
     /// How it was set up.
@@ -154,7 +185,8 @@ impl Gimbal {
     pub async fn close(self) {
         let mut state = self.link_state();
         self.link().call(Machine::close);
-        let _ = state.wait_for(|state| *state != LinkState::Open).await;
+        let open = |state: &LinkState| matches!(state, LinkState::Open | LinkState::Reconnecting);
+        let _ = state.wait_for(|state| !open(state)).await;
     }
 
     /// Asks for something and waits for the answer.
@@ -195,7 +227,7 @@ impl Gimbal {
 
     /// Sends payload bytes as a command and waits for a frame with the id `answer`; see [`request`](Self::request).
     pub async fn request_raw(&self, command: CommandId, payload: Bytes, answer: CommandId) -> Result<Bytes> {
-        let attempts = if only_reads(command, answer) { self.options.attempts.max(1) } else { 1 };
+        let attempts = if only_reads(command, &payload, answer) { self.options.attempts.max(1) } else { 1 };
         self.ask_for(command, self.make_call(command, payload, answer, attempts)?).await
     }
 
@@ -312,10 +344,19 @@ impl Gimbal {
         attempts: u32,
     ) -> Result<Call> {
         self.check(command, &payload)?;
-        let key = Key::of_request(command.raw(), &payload, answer.raw());
+        let expected = expected(command, &payload, answer);
         let priority = Priority::of(command.raw(), &payload);
         let timeout = self.options.timeout;
-        Ok(Call { command: command.raw(), payload, key, timeout, attempts, priority, probe: false })
+        Ok(Call {
+            command: command.raw(),
+            payload,
+            expected,
+            shape: None,
+            timeout,
+            attempts,
+            priority,
+            probe: None,
+        })
     }
 
     fn check(&self, command: CommandId, payload: &Bytes) -> Result<()> {
@@ -335,8 +376,10 @@ impl Gimbal {
 
     /// Why the task does not answer.
     pub(crate) fn gone(&self) -> Error {
-        let state = self.link().look(Machine::state);
-        if state == LinkState::Lost { Error::Disconnected } else { Error::Closed }
+        match self.link().look(Machine::state) {
+            LinkState::Open | LinkState::Closed => Error::Closed,
+            _ => Error::Disconnected,
+        }
     }
 }
 
@@ -344,20 +387,19 @@ pub(crate) fn encode<M: Message + ToWire>(message: &M) -> Result<Bytes> {
     Ok(Bytes::copy_from_slice(message.encode(&mut [0; MAX_PAYLOAD])?))
 }
 
+/// What answers a request: as it is declared, or any message with the id `answer`.
+fn expected(command: CommandId, payload: &[u8], answer: CommandId) -> Expected {
+    let declared = Expected::of_payload(command, payload).filter(|expected| expected.answer() == answer);
+    declared.unwrap_or(if answer == CommandId::CONFIRM {
+        Expected::confirmation(command)
+    } else {
+        Expected::any(answer)
+    })
+}
+
 /// Whether a request asks and does nothing else, so that it may be sent again.
-///
-/// What is confirmed changes something. Of what is answered with data, these do more than ask.
-fn only_reads(command: CommandId, answer: CommandId) -> bool {
-    let acts = matches!(
-        command,
-        CommandId::Reset
-            | CommandId::BootMode3
-            | CommandId::CanDeviceScan
-            | CommandId::UdrvDeviceScan
-            | CommandId::ExtImuCmd
-            | CommandId::ExtSensCmd
-    );
-    answer != CommandId::CONFIRM && !acts
+fn only_reads(command: CommandId, payload: &[u8], answer: CommandId) -> bool {
+    answer != CommandId::CONFIRM && !RequestInfo::of_payload(command, payload).is_some_and(|info| info.acts)
 }
 
 /// The spec's name of an outgoing command.
@@ -375,5 +417,7 @@ pub(crate) fn explain(command: CommandId, failure: Failure) -> Error {
         Failure::Disconnected => Error::Disconnected,
         Failure::Closed => Error::Closed,
         Failure::StreamInUse { running_ms } => Error::StreamInUse { command: name, running_ms },
+        Failure::Indistinct => Error::Indistinct { command: name },
+        Failure::TooManyStreams => Error::TooManyStreams { maximum: MAX_STREAMS },
     }
 }

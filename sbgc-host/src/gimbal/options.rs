@@ -20,6 +20,14 @@ pub enum VersionChoice {
 }
 
 impl VersionChoice {
+    /// The version, if one is chosen.
+    pub(crate) const fn only(self) -> Option<Version> {
+        match self {
+            Self::Auto => None,
+            Self::Only(version) => Some(version),
+        }
+    }
+
     /// The version to begin with.
     pub(crate) const fn first(self) -> Version {
         match self {

@@ -3,11 +3,11 @@
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::CommandId;
 use sbgc_proto::commands::MenuCommand;
 use sbgc_proto::frame::Version;
+use sbgc_proto::{CommandId, Expected};
 
-use super::key::Key;
+use super::samples::Shape;
 
 /// Who waits for an answer.
 pub trait Waiter {
@@ -26,49 +26,63 @@ pub struct Call {
     /// Payload.
     pub payload: Bytes,
     /// What answers it.
-    pub key: Key,
+    pub expected: Expected,
+    /// What else the answer must look like, because samples with the same id come as well.
+    pub shape: Option<Shape>,
     /// How long one attempt may take. All attempts together are the deadline, counted from the call.
     pub timeout: Duration,
     /// How often it may be sent; 1 for everything that must not be carried out twice.
     pub attempts: u32,
     /// What it waits for.
     pub priority: Priority,
-    /// Whether it finds out which version the board speaks: it is sent in both in turn, and that of the answer is kept.
-    pub probe: bool,
+    /// Whether it finds out which version the board speaks, and with which it begins. It is sent in both in turn, and
+    /// that of the answer is kept.
+    pub probe: Option<Version>,
 }
 
-/// How long an answer in version 2 may take. A board that knows it answers within two of its cycles, so this is for
+/// How long the first answers may take. A board that knows it answers within two of its cycles, so this is for
 /// the line and whatever is between.
 const PATIENCE: Duration = Duration::from_millis(200);
 
-/// How often version 2 is tried in a hurry: a byte lost once must not cost the better checksum for the whole session.
+/// How many attempts are in a hurry. A byte lost once must not cost the better checksum for the whole session.
 const TRIES: u32 = 2;
 
 impl Call {
-    /// How often it is sent at most.
+    /// How often it is sent at most; a probe twice more than others.
     pub(super) fn times(&self) -> u32 {
-        self.attempts.max(1).saturating_add(if self.probe { TRIES } else { 0 })
+        if self.probe.is_some() { self.attempts.saturating_add(TRIES) } else { self.attempts.max(1) }
     }
 
     /// How long the attempt with this number, counted from 1, may take.
     pub(super) fn patience(&self, attempt: u32) -> Duration {
-        if self.probe && attempt <= TRIES { self.timeout.min(PATIENCE) } else { self.timeout }
+        if self.probe.is_some() && attempt <= TRIES { self.timeout.min(PATIENCE) } else { self.timeout }
     }
 
     /// How long all attempts together may take.
     pub(super) fn allowed(&self) -> Duration {
-        let hurried = if self.probe { self.patience(1).saturating_mul(TRIES) } else { Duration::ZERO };
-        self.timeout.saturating_mul(self.attempts.max(1)).saturating_add(hurried)
+        let hurried =
+            if self.probe.is_some() { self.patience(1).saturating_mul(TRIES) } else { Duration::ZERO };
+        let regular = if self.probe.is_some() { self.attempts } else { self.attempts.max(1) };
+        self.timeout.saturating_mul(regular).saturating_add(hurried)
+    }
+
+    /// Whether a message is the answer.
+    pub(super) fn is_answered_by(&self, id: CommandId, payload: &[u8]) -> bool {
+        self.expected.matches(id, payload) && self.shape.is_none_or(|shape| shape.fits(payload))
     }
 
     /// The version in which the attempt with this number goes out; `None` for the one that is in use.
     ///
     /// A board that has seen version 2 once takes nothing else until it restarts, and one whose firmware is older than
-    /// 2.68b0 does not know it. So version 2 is tried first, in a hurry, then both in turn, beginning with version 1: on
-    /// a line that loses much, silence in one is weak evidence.
+    /// 2.68b0 does not know it. On a line that loses much, silence in one is weak evidence, so both alternate after two
+    /// attempts in a hurry: in version 2, or, where the board is not to be locked, in 1 and 2.
     pub(super) fn version(&self, attempt: u32) -> Option<Version> {
-        let first = attempt <= TRIES || (attempt - TRIES).is_multiple_of(2);
-        self.probe.then_some(if first { Version::V2 } else { Version::V1 })
+        let even = attempt.is_multiple_of(2);
+        let second = match self.probe? {
+            Version::V1 => even,
+            Version::V2 => even || attempt <= TRIES,
+        };
+        Some(if second { Version::V2 } else { Version::V1 })
     }
 }
 
@@ -132,4 +146,8 @@ pub enum Failure {
         /// The interval at which it runs, in milliseconds.
         running_ms: u16,
     },
+    /// A stream runs whose samples nothing would distinguish from those of this one, or from this answer.
+    Indistinct,
+    /// As many streams run as a board registers.
+    TooManyStreams,
 }

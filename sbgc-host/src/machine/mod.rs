@@ -40,11 +40,11 @@
 
 mod call;
 mod counters;
-mod key;
 mod outbox;
 mod pacer;
 pub(crate) mod queue;
 mod registrations;
+mod samples;
 mod session;
 
 use std::fmt;
@@ -53,13 +53,13 @@ use std::time::Duration;
 
 use bytes::Bytes;
 use sbgc_proto::frame::{Decoder, Event, Frame, Version, Versions};
-use sbgc_proto::{CommandId, Direction};
+use sbgc_proto::{CommandId, Direction, Expected};
 
 pub use call::{Call, Failure, Priority, Waiter};
 pub use counters::LinkCounters;
-pub use key::Key;
-pub use queue::{Payload, Sample};
-pub use registrations::StreamCall;
+pub use queue::{Interruption, Payload, Sample};
+pub use registrations::{MAX_STREAMS, StreamCall};
+pub use samples::Shape;
 
 use outbox::{Batch, Kind, Setpoints};
 use pacer::Pacer;
@@ -82,8 +82,12 @@ const LONGEST_FLUSH: Duration = Duration::from_secs(5);
 pub enum LinkState {
     /// It is.
     Open,
-    /// It went away.
+    /// It went away or fell silent, and is being opened again. Requests fail at once meanwhile.
+    Reconnecting,
+    /// It went away for good.
     Lost,
+    /// After it was opened again, another board answered than before. It is left alone.
+    Replaced,
     /// It was closed from this side.
     Closed,
 }
@@ -110,12 +114,32 @@ impl Default for Setup {
     }
 }
 
+/// What tells one board from another: the front of the answer to a request.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Identity {
+    /// The request, which has no payload and is answered under its own id.
+    pub command: u8,
+    /// The front of the answer; empty for a board that has no identity.
+    pub front: Bytes,
+}
+
+/// Why the port has to be closed and opened again, or left alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trouble {
+    /// The board does not answer.
+    Silent,
+    /// Another board answers.
+    Replaced,
+}
+
 /// Who waits for an answer.
 #[derive(Debug)]
 enum Who<W> {
     Caller(W),
     /// Like a caller; the version of the answer is kept.
     Probe(W),
+    /// The machine itself, after the port was opened again.
+    Identity,
     /// A registration; whether it is to end.
     Stream {
         number: u64,
@@ -127,7 +151,7 @@ impl<W: Waiter> Who<W> {
     fn is_gone(&self) -> bool {
         match self {
             Who::Caller(waiter) | Who::Probe(waiter) => waiter.is_gone(),
-            Who::Stream { .. } => false,
+            Who::Stream { .. } | Who::Identity => false,
         }
     }
 }
@@ -138,8 +162,6 @@ struct Listener {
     number: u64,
     queue: Arc<Queue>,
     command: u8,
-    /// The only length of payload that is taken, if there is but one.
-    length: Option<usize>,
 }
 
 /// The driver. `W` is who waits for an answer.
@@ -160,6 +182,8 @@ pub struct Machine<W> {
     counters: LinkCounters,
     /// Until when the rest may be sent, once the link is to end.
     ending: Option<Duration>,
+    identity: Option<Identity>,
+    trouble: Option<Trouble>,
 }
 
 impl<W: Waiter> Machine<W> {
@@ -179,6 +203,8 @@ impl<W: Waiter> Machine<W> {
             next_listener: 0,
             counters: LinkCounters::default(),
             ending: None,
+            identity: None,
+            trouble: None,
             setup,
         }
     }
@@ -214,10 +240,16 @@ impl<W: Waiter> Machine<W> {
     }
 
     /// Sends a request and tells `waiter` the outcome.
-    pub fn request(&mut self, now: Duration, call: Call, waiter: W) {
+    pub fn request(&mut self, now: Duration, mut call: Call, waiter: W) {
         match self.check_open() {
             Ok(()) => {
-                let who = if call.probe { Who::Probe(waiter) } else { Who::Caller(waiter) };
+                call.shape = Shape::of_request(call.command, &call.payload)
+                    .filter(|shape| self.registrations.has(shape.command));
+                if call.shape.is_some_and(|shape| self.registrations.is_confusing(&shape)) {
+                    waiter.tell(Err(Failure::Indistinct));
+                    return;
+                }
+                let who = if call.probe.is_some() { Who::Probe(waiter) } else { Who::Caller(waiter) };
                 self.session.request(now, call, who);
             }
             Err(failure) => waiter.tell(Err(failure)),
@@ -266,31 +298,33 @@ impl<W: Waiter> Machine<W> {
     }
 
     /// Has frames with this id put into the queue that is returned.
-    pub(crate) fn listen(
-        &mut self,
-        command: u8,
-        length: Option<usize>,
-        capacity: usize,
-    ) -> (u64, Arc<Queue>) {
-        let queue = Arc::new(Queue::new(capacity));
-        let number = self.next_listener;
-        self.next_listener = number.wrapping_add(1);
-        if self.state == LinkState::Open {
-            self.listeners.push(Listener { number, queue: Arc::clone(&queue), command, length });
-        } else {
+    pub(crate) fn listen(&mut self, command: u8, capacity: usize) -> (u64, Arc<Queue>) {
+        let (number, queue) = self.queue(capacity);
+        if self.is_over() {
             queue.end();
+        } else {
+            self.listeners.push(Listener { number, queue: Arc::clone(&queue), command });
         }
         (number, queue)
     }
 
     /// Has the board send a stream into the queue that is returned, and tells `waiter` when that is confirmed.
-    pub(crate) fn subscribe(&mut self, _now: Duration, call: StreamCall, waiter: W) -> (u64, Arc<Queue>) {
-        let (user, queue) = self.listen(call.command, call.length, call.capacity);
+    pub(crate) fn subscribe(&mut self, call: StreamCall, waiter: W) -> (u64, Arc<Queue>) {
+        let (number, queue) = self.queue(call.capacity);
         match self.check_open() {
-            Ok(()) => tell(self.registrations.add(call, user, waiter)),
-            Err(failure) => waiter.tell(Err(failure)),
+            Ok(()) => tell(self.registrations.add(call, number, Arc::clone(&queue), waiter)),
+            Err(failure) => {
+                queue.end();
+                waiter.tell(Err(failure));
+            }
         }
-        (user, queue)
+        (number, queue)
+    }
+
+    fn queue(&mut self, capacity: usize) -> (u64, Arc<Queue>) {
+        let number = self.next_listener;
+        self.next_listener = number.wrapping_add(1);
+        (number, Arc::new(Queue::new(capacity)))
     }
 
     /// The listener or subscriber with this number has left.
@@ -302,7 +336,7 @@ impl<W: Waiter> Machine<W> {
     /// Ends the link: nothing new is taken and nobody waits any more; what was to be sent is sent, streams are
     /// unregistered. [`is_done`](Self::is_done) tells when.
     pub fn close(&mut self, now: Duration) {
-        if self.state != LinkState::Open || self.ending.is_some() {
+        if self.is_over() || self.ending.is_some() {
             return;
         }
         let flush = self.session.latency().saturating_mul(4).clamp(FLUSH, LONGEST_FLUSH);
@@ -321,7 +355,67 @@ impl<W: Waiter> Machine<W> {
             && self.setpoints.is_empty()
             && self.registrations.is_empty()
             && !self.session.is_waiting();
-        self.ending.is_some_and(|until| idle || now >= until)
+        self.ending.is_some_and(|until| idle || now >= until || self.state == LinkState::Reconnecting)
+    }
+
+    /// Whether the link was closed from this side.
+    pub const fn is_ending(&self) -> bool {
+        self.ending.is_some()
+    }
+
+    const fn is_over(&self) -> bool {
+        !matches!(self.state, LinkState::Open | LinkState::Reconnecting)
+    }
+
+    /// Keeps who the board is, so that the link can go on with the same one after it was lost.
+    pub fn set_identity(&mut self, identity: Identity) {
+        self.identity = Some(identity);
+    }
+
+    /// Whether the link can go on after the port was lost.
+    pub fn can_go_on(&self) -> bool {
+        self.identity.is_some() && self.ending.is_none() && self.trouble != Some(Trouble::Replaced)
+    }
+
+    /// The port is gone, and is going to be opened again. What came before that still counts.
+    pub fn down(&mut self, now: Duration) {
+        self.end_candidates(now);
+        if self.is_over() {
+            return;
+        }
+        self.state = LinkState::Reconnecting;
+        self.trouble = None;
+        self.release(&Failure::Disconnected);
+        self.registrations.on_interruption(now, Interruption::Lost);
+    }
+
+    /// The port is open again. Nothing goes on before the board has told who it is.
+    pub fn up(&mut self, now: Duration) {
+        self.pacer = Pacer::new(self.setup.baud, now);
+        let Some(Identity { command, .. }) = self.identity else { return };
+        let (timeout, attempts) = (self.setup.timeout, self.setup.attempts);
+        let (expected, priority) = (Expected::any(command.into()), Priority::Normal);
+        let payload = Bytes::new();
+        let call = Call { command, payload, expected, shape: None, timeout, attempts, priority, probe: None };
+        self.session.request(now, call, Who::Identity);
+    }
+
+    /// Why the port is to be given back, if it is.
+    pub const fn trouble(&self) -> Option<Trouble> {
+        self.trouble
+    }
+
+    fn identified(&mut self, now: Duration, outcome: Result<Bytes, Failure>) {
+        let front = self.identity.as_ref().map(|identity| identity.front.clone()).unwrap_or_default();
+        self.trouble = match outcome {
+            Ok(answer) if answer.starts_with(&front) => {
+                self.state = LinkState::Open;
+                self.registrations.on_interruption(now, Interruption::Lost);
+                None
+            }
+            Ok(_) => Some(Trouble::Replaced),
+            Err(_) => Some(Trouble::Silent),
+        };
     }
 
     /// The port was given back after [`close`](Self::close).
@@ -332,32 +426,39 @@ impl<W: Waiter> Machine<W> {
     /// The port is gone. What came before that still counts.
     pub fn lost(&mut self, now: Duration) {
         self.end_candidates(now);
-        self.end(LinkState::Lost, &Failure::Disconnected);
+        let replaced = self.trouble == Some(Trouble::Replaced);
+        let state = if replaced { LinkState::Replaced } else { LinkState::Lost };
+        self.end(state, &Failure::Disconnected);
     }
 
     fn end(&mut self, state: LinkState, failure: &Failure) {
-        if self.state != LinkState::Open {
+        if self.is_over() {
             return;
         }
         // Before anybody learns that an answer will not come.
         self.state = state;
+        self.release(failure);
+        let waiting = self.registrations.on_lost();
+        tell(waiting.into_iter().map(|waiter| (waiter, Err(failure.clone()))).collect());
+        self.listeners.drain(..).for_each(|listener| listener.queue.end());
+    }
+
+    /// Nothing is on its way any more.
+    fn release(&mut self, failure: &Failure) {
+        self.setpoints.clear();
+        self.batch.clear();
         for waiting in self.session.on_disconnect() {
             if let Who::Caller(waiter) | Who::Probe(waiter) = waiting {
                 waiter.tell(Err(failure.clone()));
             }
         }
-        let waiting = self.registrations.on_lost();
-        tell(waiting.into_iter().map(|waiter| (waiter, Err(failure.clone()))).collect());
-        self.setpoints.clear();
-        self.batch.clear();
-        self.listeners.drain(..).for_each(|listener| listener.queue.end());
     }
 
     fn check_open(&self) -> Result<(), Failure> {
         match self.state {
             LinkState::Open if self.ending.is_none() => Ok(()),
-            LinkState::Lost => Err(Failure::Disconnected),
             LinkState::Open | LinkState::Closed => Err(Failure::Closed),
+            _ => Err(Failure::Disconnected),
         }
     }
 
@@ -390,9 +491,15 @@ impl<W: Waiter> Machine<W> {
 
     fn on_frame(&mut self, now: Duration, frame: Frame<'_>) {
         tracing::debug!("received {}", Shown(Direction::Incoming, frame.version, frame.id, frame.payload));
+        if frame.id == CommandId::Reset.raw() {
+            tracing::warn!("the board is being reset");
+            self.registrations.on_reset(now);
+        }
+        let verdict = self.session.on_frame(now, frame.id, frame.payload);
+        let unsolicited = matches!(verdict, Verdict::Unsolicited);
         // Subscribers get it, too, whether or not it is an answer, and before the one who waits for that goes on.
-        let taken = self.publish(frame.id, frame.payload);
-        match self.session.on_frame(now, frame.id, frame.payload) {
+        let taken = self.publish(now, frame.id, frame.payload, !unsolicited);
+        match verdict {
             Verdict::Answer(waiting, outcome) => {
                 if matches!(waiting, Who::Probe(_)) {
                     self.version = frame.version;
@@ -400,27 +507,28 @@ impl<W: Waiter> Machine<W> {
                 self.settle(now, waiting, outcome);
             }
             Verdict::Late => self.counters.late += 1,
-            Verdict::Unsolicited if !taken => self.counters.unsolicited += 1,
-            Verdict::Unawaited | Verdict::Unsolicited => {}
+            Verdict::Unsolicited => self.counters.unsolicited += u64::from(!taken),
+            Verdict::Unawaited => {}
         }
     }
 
     /// Hands a frame to all who listen. Returns whether there was anybody.
-    fn publish(&mut self, command: u8, payload: &[u8]) -> bool {
-        let mut taken = false;
-        for listener in &self.listeners {
-            let fits = listener.length.is_none_or(|length| length == payload.len());
-            if listener.command == command && fits {
-                taken = true;
-                self.counters.lost_samples += u64::from(listener.queue.push(payload));
-            }
+    fn publish(&mut self, now: Duration, command: u8, payload: &[u8], answers: bool) -> bool {
+        let sampled = self.registrations.on_frame(now, command, payload, answers);
+        let mut lost = sampled.unwrap_or_default();
+        let mut taken = sampled.is_some();
+        for listener in self.listeners.iter().filter(|listener| listener.command == command) {
+            taken = true;
+            lost += u64::from(listener.queue.push(payload));
         }
+        self.counters.lost_samples += lost;
         taken
     }
 
     fn settle(&mut self, now: Duration, waiting: Who<W>, outcome: Result<Bytes, Failure>) {
         match waiting {
             Who::Caller(waiter) | Who::Probe(waiter) => waiter.tell(outcome),
+            Who::Identity => self.identified(now, outcome),
             Who::Stream { number, stop } => {
                 tell(self.registrations.settle(now, number, stop, outcome.map(drop)));
             }
@@ -440,6 +548,10 @@ impl<W: Waiter> Machine<W> {
         if self.decoder.pending() > 0 && now >= self.last_read.saturating_add(self.setup.gap) {
             self.end_candidates(now);
         }
+        if self.state != LinkState::Open {
+            return;
+        }
+        self.registrations.check(now, self.session.latency());
         while let Some((number, payload, stop)) = self.registrations.next_request(now) {
             let command = CommandId::DataStreamInterval.raw();
             let (timeout, attempts) = (self.setup.timeout, self.setup.attempts.max(1));
@@ -448,11 +560,12 @@ impl<W: Waiter> Machine<W> {
             let call = Call {
                 command,
                 payload,
-                key: Key::confirmation(command),
+                expected: Expected::confirmation(CommandId::DataStreamInterval),
+                shape: None,
                 timeout,
                 attempts,
                 priority,
-                probe: false,
+                probe: None,
             };
             self.session.request(now, call, Who::Stream { number, stop });
         }
@@ -516,7 +629,9 @@ impl<W: Waiter> Machine<W> {
         let gap = (self.decoder.pending() > 0).then(|| self.last_read.saturating_add(self.setup.gap));
         let wants = self.batch.is_empty() && (self.session.wants_to_send(now) || !self.setpoints.is_empty());
         let send = wants.then(|| self.pacer.not_before());
-        let streams = self.registrations.next_wake(now);
+        let streams = (self.state == LinkState::Open)
+            .then(|| self.registrations.next_wake(now, self.session.latency()))
+            .flatten();
         [self.session.next_deadline(now), gap, send, streams, self.ending].into_iter().flatten().min()
     }
 }

@@ -8,6 +8,7 @@ use std::fmt;
 use std::ops::Deref;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::task::{Context, Poll, Waker};
+use std::time::Duration;
 
 use sbgc_proto::frame::MAX_PAYLOAD;
 
@@ -19,6 +20,36 @@ pub enum Sample {
     Payload(Payload),
     /// So many samples were lost here, because they were not taken in time.
     Lagged(u64),
+    /// The stream has stopped. The driver registers it again until it [resumes](Self::Resumed) or the subscription
+    /// ends.
+    Interrupted(Interruption),
+    /// The stream is back after so much time without samples.
+    Resumed(Duration),
+}
+
+/// Why a stream has stopped.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Interruption {
+    /// No samples came for three intervals.
+    Silent,
+    /// The board was reset.
+    Reset,
+    /// The board refused to register the stream again. The subscription ends.
+    Refused,
+    /// The port went away.
+    Lost,
+}
+
+impl fmt::Display for Interruption {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Interruption::Silent => "no samples came for three intervals",
+            Interruption::Reset => "the board was reset",
+            Interruption::Refused => "the board refused to register the stream again",
+            Interruption::Lost => "the port went away",
+        })
+    }
 }
 
 /// The payload of one frame, kept in place.
@@ -63,10 +94,21 @@ pub(crate) struct Queue {
     state: Mutex<State>,
 }
 
+/// What is in the queue.
+#[derive(Clone, Copy, Debug)]
+enum Entry {
+    /// So many of the bytes.
+    Sample(u8),
+    Interrupted(Interruption),
+    Resumed(Duration),
+}
+
 #[derive(Debug, Default)]
 struct State {
-    /// Lengths of the samples in `bytes`.
-    lengths: VecDeque<u8>,
+    entries: VecDeque<Entry>,
+    /// How many of the entries are samples.
+    samples: usize,
+    /// The samples, one after the other.
     bytes: VecDeque<u8>,
     lost: u64,
     ended: bool,
@@ -81,18 +123,33 @@ impl Queue {
     /// Appends a sample. Returns whether another was lost for it.
     pub(crate) fn push(&self, payload: &[u8]) -> bool {
         let mut state = self.lock();
-        let full = state.lengths.len() >= self.capacity;
+        let full = state.samples >= self.capacity;
         if full {
-            let oldest = state.lengths.pop_front().unwrap_or_default();
-            state.bytes.drain(..usize::from(oldest));
-            state.lost = state.lost.saturating_add(1);
+            state.drop_oldest();
         }
         // No payload is longer; if one were, its end would be missing and nothing else.
         let length = u8::try_from(payload.len()).unwrap_or(u8::MAX);
-        state.lengths.push_back(length);
+        state.entries.push_back(Entry::Sample(length));
+        state.samples += 1;
         state.bytes.extend(payload.iter().take(usize::from(length)));
         wake(state);
         full
+    }
+
+    /// No samples come for now.
+    pub(super) fn interrupted(&self, interruption: Interruption) {
+        self.mark(Entry::Interrupted(interruption));
+    }
+
+    /// Samples come again.
+    pub(super) fn resumed(&self, after: Duration) {
+        self.mark(Entry::Resumed(after));
+    }
+
+    fn mark(&self, entry: Entry) {
+        let mut state = self.lock();
+        state.entries.push_back(entry);
+        wake(state);
     }
 
     /// No more samples will come.
@@ -107,12 +164,12 @@ impl Queue {
         if state.lost > 0 {
             return Poll::Ready(Some(Sample::Lagged(std::mem::take(&mut state.lost))));
         }
-        if let Some(length) = state.lengths.pop_front() {
-            let mut bytes = [0; MAX_PAYLOAD];
-            for (place, byte) in bytes.iter_mut().zip(state.bytes.drain(..usize::from(length))) {
-                *place = byte;
-            }
-            return Poll::Ready(Some(Sample::Payload(Payload { length, bytes })));
+        if let Some(entry) = state.entries.pop_front() {
+            return Poll::Ready(Some(match entry {
+                Entry::Sample(length) => Sample::Payload(state.take(length)),
+                Entry::Interrupted(interruption) => Sample::Interrupted(interruption),
+                Entry::Resumed(after) => Sample::Resumed(after),
+            }));
         }
         if state.ended {
             return Poll::Ready(None);
@@ -126,6 +183,34 @@ impl Queue {
 
     fn lock(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl State {
+    /// Drops the oldest sample. What is marked around it stays, but for marks that a later one makes useless.
+    fn drop_oldest(&mut self) {
+        let Some(index) = self.entries.iter().position(|entry| matches!(entry, Entry::Sample(_))) else {
+            return;
+        };
+        if let Some(Entry::Sample(length)) = self.entries.remove(index) {
+            self.samples = self.samples.saturating_sub(1);
+            self.bytes.drain(..usize::from(length).min(self.bytes.len()));
+            self.lost = self.lost.saturating_add(1);
+        }
+        // However long nobody takes anything, the last interruption and its end are all that matter.
+        if index > 2 {
+            self.entries.pop_front();
+        }
+    }
+
+    fn take(&mut self, length: u8) -> Payload {
+        self.samples = self.samples.saturating_sub(1);
+        let mut bytes = [0; MAX_PAYLOAD];
+        let length_in_use = usize::from(length).min(self.bytes.len());
+        for (place, byte) in bytes.iter_mut().zip(self.bytes.drain(..length_in_use)) {
+            *place = byte;
+        }
+        Payload { length, bytes }
     }
 }
 

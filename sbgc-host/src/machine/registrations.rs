@@ -4,6 +4,7 @@
 //! more is unregistered. What subscribers want and what the board is known to do are kept apart: a request is made
 //! whenever they differ, one at a time for each stream, until the board has confirmed it.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::Bytes;
@@ -12,26 +13,57 @@ use sbgc_proto::units::StreamInterval;
 use sbgc_proto::{CommandId, Message};
 
 use super::call::Failure;
+use super::queue::{Interruption, Queue};
+use super::samples::Shape;
+
+/// How many streams a board registers, over all its ports.
+pub const MAX_STREAMS: usize = 10;
 
 /// After this many requests without an answer nobody is left to unregister a stream at.
 const ROUNDS: u32 = 8;
 
-/// Time to the first repetition of a request to unregister that was not confirmed; it doubles each time.
+/// Time to the first repetition of a request that was not confirmed; it doubles each time.
 const BACK_OFF: Duration = Duration::from_millis(500);
+
+/// The longest time to the next repetition.
+const LONGEST_BACK_OFF: Duration = Duration::from_secs(5);
+
+/// After so many intervals without a sample a stream has fallen silent.
+const SILENT_INTERVALS: u32 = 3;
+
+/// The shortest time that counts as silence.
+const SHORTEST_SILENCE: Duration = Duration::from_millis(250);
+
+/// How long after its notice a board is reset, as a rule, and some time for its start.
+const RESET: Duration = Duration::from_millis(1500);
+
+/// How long after a notice of a reset streams that are not periodic are registered once more, for nothing else would
+/// show that the reset came later.
+const LATE_RESET: Duration = Duration::from_secs(15);
 
 /// A data stream that is wanted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct StreamCall {
-    /// The message.
-    pub command: u8,
+    /// The message and what distinguishes its samples.
+    pub shape: Shape,
     /// Time between two messages, in milliseconds; at least 1.
     pub interval_ms: u16,
-    /// Configuration of the stream.
-    pub config: [u8; 8],
-    /// How many payload bytes a sample has, where this distinguishes samples.
-    pub length: Option<usize>,
     /// How many samples wait for the subscriber before the oldest is lost.
     pub capacity: usize,
+}
+
+impl StreamCall {
+    /// Whether samples come at each interval, so that their absence tells something.
+    fn is_periodic(&self) -> bool {
+        self.shape.command != CommandId::Event.raw()
+    }
+
+    /// How long samples may fail to come.
+    fn silence(&self, latency: Duration) -> Duration {
+        let interval = Duration::from_millis(self.interval_ms.into());
+        let allowed = interval.saturating_mul(SILENT_INTERVALS).max(SHORTEST_SILENCE);
+        allowed.saturating_add(latency.saturating_mul(2))
+    }
 }
 
 /// What the board is known to do.
@@ -50,11 +82,18 @@ enum Asked {
     Stop,
 }
 
+/// Who gets the samples.
+#[derive(Debug)]
+struct User {
+    number: u64,
+    queue: Arc<Queue>,
+}
+
 #[derive(Debug)]
 struct Registration<W> {
     number: u64,
     call: StreamCall,
-    users: Vec<u64>,
+    users: Vec<User>,
     /// Who waits for the confirmation.
     waiting: Vec<W>,
     on_board: OnBoard,
@@ -62,6 +101,33 @@ struct Registration<W> {
     /// How many requests in a row were not answered.
     failures: u32,
     not_before: Duration,
+    /// Whether the board has ever confirmed it.
+    confirmed: bool,
+    last_sample: Duration,
+    /// Since when the subscribers know that no samples come.
+    interrupted: Option<Duration>,
+    /// When it is registered once more, whether or not it seems to run.
+    renew_at: Option<Duration>,
+}
+
+impl<W> Registration<W> {
+    fn interrupt(&mut self, now: Duration, interruption: Interruption) {
+        if self.interrupted.is_none() && self.confirmed {
+            self.interrupted = Some(now);
+            self.users.iter().for_each(|user| user.queue.interrupted(interruption));
+        }
+    }
+
+    fn back_off(&mut self, now: Duration) {
+        let exponent = self.failures.min(ROUNDS);
+        self.failures = self.failures.saturating_add(1);
+        let pause = BACK_OFF.saturating_mul(1 << exponent).min(LONGEST_BACK_OFF);
+        self.not_before = now.saturating_add(pause);
+    }
+
+    fn end(&mut self) {
+        self.users.drain(..).for_each(|user| user.queue.end());
+    }
 }
 
 /// All of them. `W` is who waits for a stream to be confirmed.
@@ -82,9 +148,17 @@ pub(super) type Told<W> = Vec<(W, Result<Bytes, Failure>)>;
 
 impl<W> Registrations<W> {
     /// Adds a subscriber. Returns who is to be told at once.
-    pub(super) fn add(&mut self, call: StreamCall, user: u64, waiter: W) -> Told<W> {
+    pub(super) fn add(&mut self, call: StreamCall, number: u64, queue: Arc<Queue>, waiter: W) -> Told<W> {
+        let user = User { number, queue };
+        let confused = |other: &Registration<W>| {
+            !other.users.is_empty() && !other.call.shape.is_distinct_from(&call.shape)
+        };
+        if self.list.iter().any(confused) {
+            user.queue.end();
+            return vec![(waiter, Err(Failure::Indistinct))];
+        }
         let same = |other: &&mut Registration<W>| {
-            (other.call.command, other.call.config) == (call.command, call.config)
+            (other.call.shape.command, other.call.shape.config) == (call.shape.command, call.shape.config)
         };
         if let Some(found) = self.list.iter_mut().find(same) {
             if found.users.is_empty() {
@@ -93,17 +167,22 @@ impl<W> Registrations<W> {
                 if found.on_board == OnBoard::Running {
                     found.on_board = OnBoard::Unknown;
                 }
-                found.not_before = Duration::ZERO;
-                found.failures = 0;
+                (found.not_before, found.failures) = (Duration::ZERO, 0);
+                (found.confirmed, found.interrupted) = (false, None);
             } else if found.call.interval_ms != call.interval_ms {
+                user.queue.end();
                 return vec![(waiter, Err(Failure::StreamInUse { running_ms: found.call.interval_ms }))];
             }
             found.users.push(user);
-            if found.on_board == OnBoard::Running && found.asked == Asked::Nothing {
+            if found.confirmed {
                 return vec![(waiter, Ok(Bytes::new()))];
             }
             found.waiting.push(waiter);
             return Vec::new();
+        }
+        if self.list.iter().filter(|other| !other.users.is_empty()).count() >= MAX_STREAMS {
+            user.queue.end();
+            return vec![(waiter, Err(Failure::TooManyStreams))];
         }
         let number = self.next_number;
         self.next_number = number.wrapping_add(1);
@@ -116,21 +195,116 @@ impl<W> Registrations<W> {
             asked: Asked::Nothing,
             failures: 0,
             not_before: Duration::ZERO,
+            confirmed: false,
+            last_sample: Duration::ZERO,
+            interrupted: None,
+            renew_at: None,
         });
         Vec::new()
+    }
+
+    /// Whether the answer to a request could be mistaken for a sample of a stream that runs.
+    pub(super) fn is_confusing(&self, shape: &Shape) -> bool {
+        self.list
+            .iter()
+            .any(|other| other.on_board != OnBoard::Absent && !other.call.shape.is_distinct_from(shape))
+    }
+
+    /// Whether a stream of this command runs.
+    pub(super) fn has(&self, command: u8) -> bool {
+        self.list.iter().any(|other| other.call.shape.command == command && other.on_board != OnBoard::Absent)
+    }
+
+    /// A frame came, which was or was not an answer. Returns how many samples were lost for it, if it is a sample.
+    pub(super) fn on_frame(
+        &mut self,
+        now: Duration,
+        command: u8,
+        payload: &[u8],
+        answers: bool,
+    ) -> Option<u64> {
+        let alone = self.list.iter().filter(|other| other.call.shape.command == command).count() == 1;
+        let mut lost = None;
+        for found in self.list.iter_mut().filter(|other| other.call.shape.command == command) {
+            let shape = &found.call.shape;
+            if !(shape.fits(payload) || (alone && !answers && shape.admits(payload))) {
+                continue;
+            }
+            if let Some(since) = found.interrupted.take() {
+                let after = now.saturating_sub(since);
+                found.users.iter().for_each(|user| user.queue.resumed(after));
+            }
+            found.last_sample = now;
+            if found.on_board == OnBoard::Running {
+                found.failures = 0;
+            }
+            for user in &found.users {
+                *lost.get_or_insert(0) += u64::from(user.queue.push(payload));
+            }
+        }
+        lost
+    }
+
+    /// The board is about to be reset, which ends all streams.
+    pub(super) fn on_reset(&mut self, now: Duration) {
+        for found in &mut self.list {
+            found.on_board = if found.users.is_empty() { OnBoard::Absent } else { OnBoard::Unknown };
+            found.not_before = now.saturating_add(RESET);
+            found.renew_at = Some(now.saturating_add(LATE_RESET)).filter(|_| !found.call.is_periodic());
+            found.interrupt(now, Interruption::Reset);
+        }
+    }
+
+    /// The link is gone for a while, or another one is there. What runs on the board is unknown.
+    pub(super) fn on_interruption(&mut self, now: Duration, interruption: Interruption) {
+        for found in &mut self.list {
+            (found.on_board, found.asked) = (OnBoard::Unknown, Asked::Nothing);
+            (found.not_before, found.failures) = (now, 0);
+            found.interrupt(now, interruption);
+        }
+    }
+
+    /// Notices streams that have fallen silent.
+    pub(super) fn check(&mut self, now: Duration, latency: Duration) {
+        let mut silent = false;
+        for found in &mut self.list {
+            let running = found.on_board == OnBoard::Running && found.asked == Asked::Nothing;
+            let due = found.last_sample.saturating_add(found.call.silence(latency)) <= now;
+            if running && found.call.is_periodic() && !found.users.is_empty() && due {
+                found.on_board = OnBoard::Unknown;
+                found.back_off(now);
+                if found.failures == 1 {
+                    found.not_before = now;
+                }
+                found.interrupt(now, Interruption::Silent);
+                silent = true;
+            }
+            if found.renew_at.is_some_and(|at| at <= now) {
+                found.renew_at = None;
+                found.on_board = OnBoard::Unknown;
+            }
+        }
+        // Perhaps the board was reset, which ends those as well of which nobody knows when a sample should come.
+        if silent {
+            for found in self.list.iter_mut().filter(|found| !found.call.is_periodic()) {
+                if found.on_board == OnBoard::Running {
+                    found.on_board = OnBoard::Unknown;
+                }
+            }
+        }
     }
 
     /// A subscriber has left.
     pub(super) fn leave(&mut self, user: u64) {
         for registration in &mut self.list {
-            registration.users.retain(|other| *other != user);
+            registration.users.retain(|other| other.number != user);
         }
     }
 
     /// Nobody uses any of them any more. Returns who waited.
     pub(super) fn clear(&mut self) -> Vec<W> {
         self.list.iter_mut().for_each(|registration| {
-            registration.users.clear();
+            registration.end();
             registration.not_before = Duration::ZERO;
         });
         self.list.iter_mut().flat_map(|registration| registration.waiting.drain(..)).collect()
@@ -148,6 +322,9 @@ impl<W> Registrations<W> {
             let idle = registration.asked == Asked::Nothing && registration.on_board == OnBoard::Absent;
             !(idle && registration.users.is_empty())
         });
+        // A stream that cannot be told from one that is on its way out has to wait until that has ended.
+        let ending = self.list.iter().filter(|other| other.users.is_empty());
+        let ending: Vec<Shape> = ending.map(|other| other.call.shape).collect();
         self.list.iter_mut().find_map(|registration| {
             let wanted = !registration.users.is_empty();
             let stop = match (registration.asked, wanted, registration.on_board) {
@@ -155,7 +332,8 @@ impl<W> Registrations<W> {
                 (Asked::Start, false, _) => true,
                 (Asked::Nothing, false, _) if now >= registration.not_before => true,
                 (Asked::Nothing, true, OnBoard::Absent | OnBoard::Unknown)
-                    if now >= registration.not_before =>
+                    if now >= registration.not_before
+                        && ending.iter().all(|other| other.is_distinct_from(&registration.call.shape)) =>
                 {
                     false
                 }
@@ -184,10 +362,21 @@ impl<W> Registrations<W> {
         }
         found.asked = Asked::Nothing;
         match outcome {
+            Ok(()) if stop => {
+                found.on_board = OnBoard::Absent;
+                Vec::new()
+            }
             Ok(()) => {
-                found.failures = 0;
-                found.on_board = if stop { OnBoard::Absent } else { OnBoard::Running };
-                if stop { Vec::new() } else { tell(&mut found.waiting, &Ok(Bytes::new())) }
+                (found.on_board, found.confirmed, found.last_sample) = (OnBoard::Running, true, now);
+                if !found.call.is_periodic() {
+                    found.failures = 0;
+                    // Nothing else would show that the stream is back.
+                    if let Some(since) = found.interrupted.take() {
+                        let after = now.saturating_sub(since);
+                        found.users.iter().for_each(|user| user.queue.resumed(after));
+                    }
+                }
+                tell(&mut found.waiting, &Ok(Bytes::new()))
             }
             Err(failure) => {
                 found.on_board = match failure {
@@ -196,31 +385,41 @@ impl<W> Registrations<W> {
                     // Perhaps only the confirmation was lost.
                     _ => OnBoard::Unknown,
                 };
-                if stop {
-                    found.failures += 1;
-                    let exponent = found.failures.saturating_sub(1).min(ROUNDS);
-                    found.not_before = now.saturating_add(BACK_OFF.saturating_mul(1 << exponent));
-                    Vec::new()
-                } else {
-                    found.users.clear();
-                    tell(&mut found.waiting, &Err(failure))
+                let refused = matches!(failure, Failure::Refused { .. });
+                if !stop && (refused || !found.confirmed) {
+                    if refused {
+                        found.interrupted = None;
+                        found.interrupt(now, Interruption::Refused);
+                    }
+                    found.end();
+                    return tell(&mut found.waiting, &Err(failure));
                 }
+                found.back_off(now);
+                Vec::new()
             }
         }
     }
 
     /// The board is gone, and all registrations with it. Returns who waited for one.
     pub(super) fn on_lost(&mut self) -> Vec<W> {
+        self.list.iter_mut().for_each(Registration::end);
         self.list.drain(..).flat_map(|registration| registration.waiting).collect()
     }
 
-    /// When [`next_request`](Self::next_request) may have something new.
-    pub(super) fn next_wake(&self, now: Duration) -> Option<Duration> {
-        let due = self.list.iter().filter(|registration| {
-            registration.asked == Asked::Nothing
-                && (registration.users.is_empty() || registration.on_board != OnBoard::Running)
+    /// When there is something to be done.
+    pub(super) fn next_wake(&self, now: Duration, latency: Duration) -> Option<Duration> {
+        let idle = self.list.iter().filter(|registration| registration.asked == Asked::Nothing);
+        let due = idle.clone().filter(|registration| {
+            registration.users.is_empty() || registration.on_board != OnBoard::Running
         });
-        due.map(|registration| registration.not_before).filter(|time| *time > now).min()
+        let due = due.map(|registration| registration.not_before);
+        let silent = idle.clone().filter(|registration| {
+            let running = registration.on_board == OnBoard::Running && !registration.users.is_empty();
+            running && registration.call.is_periodic()
+        });
+        let silent = silent.map(|found| found.last_sample.saturating_add(found.call.silence(latency)));
+        let renewals = idle.filter_map(|registration| registration.renew_at);
+        due.chain(silent).chain(renewals).filter(|time| *time > now).min()
     }
 }
 
@@ -231,9 +430,9 @@ fn tell<W>(waiting: &mut Vec<W>, outcome: &Result<Bytes, Failure>) -> Told<W> {
 /// The payload that registers a stream; with interval 0 the one that ends it.
 fn request(call: &StreamCall, interval_ms: u16) -> Bytes {
     let message = DataStreamInterval {
-        cmd_id: CommandId::from_raw(call.command),
+        cmd_id: CommandId::from_raw(call.shape.command),
         interval_ms: StreamInterval(interval_ms),
-        config: StreamConfig(call.config.into()),
+        config: StreamConfig(call.shape.config.into()),
         ..DataStreamInterval::default()
     };
     let mut buffer = [0; 32];

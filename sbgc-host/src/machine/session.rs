@@ -2,7 +2,7 @@
 //!
 //! # Rules
 //! - A request ends by its deadline, which counts from the call: however long it waits for its turn or for the port.
-//! - A frame belongs to the oldest command on its way whose [`Key`] it matches. Two requests that one frame could
+//! - A frame belongs to the oldest command on its way whose answer it can be. Two requests that one frame could
 //!   answer are not on their way together: the second waits for the first. Others overtake it.
 //! - Only requests that were given several attempts are sent again. Whoever makes a request decides that.
 //! - A request that ended without its answer leaves a tombstone. For a grace period, which follows the latency of the
@@ -18,11 +18,10 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::CommandId;
 use sbgc_proto::frame::Version;
+use sbgc_proto::{CommandId, Expected};
 
 use super::call::{Call, Failure, Priority};
-use super::key::Key;
 
 /// How long an answer may be late, at least.
 pub(super) const GRACE: Duration = Duration::from_millis(250);
@@ -303,8 +302,8 @@ impl<W> Session<W> {
         if queued.waiter.is_none() {
             return true;
         }
-        let key = &queued.call.key;
-        let first = !self.queued.iter().take(index).any(|earlier| earlier.call.key.overlaps(key));
+        let expected = &queued.call.expected;
+        let first = !self.queued.iter().take(index).any(|earlier| earlier.call.expected.overlaps(expected));
         first
             && (queued.call.priority != Priority::Normal
                 || self.release(now, queued).is_none_or(|release| release <= now))
@@ -312,7 +311,8 @@ impl<W> Session<W> {
 
     /// Until when commands on their way hold back a request; for ever as long as somebody waits for one of them.
     fn release(&self, now: Duration, queued: &Queued<W>) -> Option<Duration> {
-        let overlapping = self.sent.iter().filter(|entry| entry.call.key.overlaps(&queued.call.key));
+        let overlapping =
+            self.sent.iter().filter(|entry| entry.call.expected.overlaps(&queued.call.expected));
         overlapping
             .map(|entry| match (&entry.waiter, entry.awaited) {
                 (Some(_), _) => Duration::MAX,
@@ -329,8 +329,10 @@ impl<W> Session<W> {
         if id == CommandId::Error.raw() {
             return self.on_error(now, payload);
         }
-        let answered =
-            self.sent.iter().position(|entry| entry.expects(now) && entry.call.key.matches(id, payload));
+        let answered = self
+            .sent
+            .iter()
+            .position(|entry| entry.expects(now) && entry.call.is_answered_by(id.into(), payload));
         match answered {
             Some(index) => self.answer(now, index, Ok(payload)),
             None => Verdict::Unsolicited,
@@ -468,8 +470,17 @@ impl<W> Session<W> {
 }
 
 fn unawaited(command: u8, payload: Bytes, priority: Priority) -> Call {
-    let key = Key::confirmation(command);
-    Call { command, payload, key, timeout: Duration::ZERO, attempts: 1, priority, probe: false }
+    let expected = Expected::confirmation(command.into());
+    Call {
+        command,
+        payload,
+        expected,
+        shape: None,
+        timeout: Duration::ZERO,
+        attempts: 1,
+        priority,
+        probe: None,
+    }
 }
 
 #[cfg(test)]

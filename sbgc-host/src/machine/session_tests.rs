@@ -31,28 +31,30 @@ fn bytes(payload: &[u8]) -> Bytes {
 
 /// A read of `command` that is answered under the same id.
 fn read(command: u8, payload: &[u8]) -> Call {
-    let key = Key::of_request(command, payload, command);
+    let expected = Expected::of_payload(command.into(), payload).expect("a request");
     Call {
         command,
         payload: bytes(payload),
-        key,
+        expected,
+        shape: None,
         timeout: MS(500),
         attempts: 3,
         priority: Priority::Normal,
-        probe: false,
+        probe: None,
     }
 }
 
 fn write(command: u8) -> Call {
-    let key = Key::confirmation(command);
+    let expected = Expected::confirmation(command.into());
     Call {
         command,
         payload: Bytes::new(),
-        key,
+        expected,
+        shape: None,
         timeout: MS(500),
         attempts: 1,
         priority: Priority::Normal,
-        probe: false,
+        probe: None,
     }
 }
 
@@ -492,9 +494,10 @@ mod whatever_happens {
                 match step {
                     Step::Request { command, payload, answer, attempts } => {
                         let payload = bytes(&[payload; 6]);
-                        let key = Key::of_request(command, &payload, answer);
+                        let declared = Expected::of_payload(command.into(), &payload);
+                        let expected = declared.unwrap_or(Expected::any(answer.into()));
                         let priority = if attempts == 3 { Priority::Urgent } else { Priority::Normal };
-                        let call = Call { command, payload, key, timeout: MS(500), attempts, priority, probe: false };
+                        let call = Call { command, payload, expected, shape: None, timeout: MS(500), attempts, priority, probe: None };
                         session.request(now, call, Number(asked));
                         asked += 1;
                     }

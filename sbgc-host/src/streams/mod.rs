@@ -17,13 +17,13 @@ use sbgc_proto::CommandId;
 use sbgc_proto::commands::StreamSource;
 use tokio::sync::oneshot;
 
-pub use crate::machine::{Payload, Sample};
+pub use crate::machine::{Interruption, Payload, Sample};
 pub use typed::{Item, TypedStream};
 
 use crate::error::Result;
 use crate::gimbal::{Gimbal, explain};
-use crate::machine::StreamCall;
 use crate::machine::queue::Queue;
+use crate::machine::{Shape, StreamCall};
 
 /// How many samples a queue holds for those who listen: more than a second of anything that a board sends.
 const CAPACITY: usize = 2048;
@@ -80,10 +80,8 @@ impl StreamRequest {
 
     fn call(&self) -> StreamCall {
         StreamCall {
-            command: self.command.raw(),
+            shape: Shape { command: self.command.raw(), config: self.config, length: self.length },
             interval_ms: self.interval_ms.max(1),
-            config: self.config,
-            length: self.length,
             capacity: self.capacity,
         }
     }
@@ -96,6 +94,8 @@ impl StreamRequest {
 pub struct Subscription {
     queue: Arc<Queue>,
     number: u64,
+    /// How many bytes each sample has, where that is known.
+    length: Option<usize>,
     gimbal: Gimbal,
 }
 
@@ -141,9 +141,9 @@ impl Gimbal {
     /// another interval is refused, for it would change that of the others.
     pub async fn subscribe(&self, request: StreamRequest) -> Result<Subscription> {
         let (reply, outcome) = oneshot::channel();
-        let (number, queue) = self.link().call(|machine, now| machine.subscribe(now, request.call(), reply));
+        let (number, queue) = self.link().call(|machine, _| machine.subscribe(request.call(), reply));
         // From here on, whoever gives up unsubscribes.
-        let subscription = Subscription { queue, number, gimbal: self.clone() };
+        let subscription = Subscription { queue, number, length: request.length, gimbal: self.clone() };
         match outcome.await.map_err(|_| self.gone())? {
             Ok(_) => Ok(subscription),
             Err(failure) => Err(explain(request.command, failure)),
@@ -154,7 +154,7 @@ impl Gimbal {
     ///
     /// Nothing is sent to the board.
     pub fn listen(&self, command: CommandId) -> Subscription {
-        let (number, queue) = self.link().call(|machine, _| machine.listen(command.raw(), None, CAPACITY));
-        Subscription { queue, number, gimbal: self.clone() }
+        let (number, queue) = self.link().call(|machine, _| machine.listen(command.raw(), CAPACITY));
+        Subscription { queue, number, length: None, gimbal: self.clone() }
     }
 }

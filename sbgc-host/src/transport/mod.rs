@@ -1,4 +1,4 @@
-//! Ways to a board: serial ports and TCP.
+//! Ways to a board: serial ports, TCP and UDP.
 //!
 //! Here live addresses, what ports there are, and how they are opened. What goes over them is the business of
 //! [`Gimbal`](crate::Gimbal), which takes any `AsyncRead + AsyncWrite`.
@@ -8,6 +8,7 @@ mod ports;
 #[cfg(feature = "serial")]
 mod serial;
 mod tcp;
+mod udp;
 
 use tokio::io::{AsyncRead, AsyncWrite};
 
@@ -16,6 +17,7 @@ pub use ports::{PortInfo, PortKind, ports};
 #[cfg(feature = "serial")]
 pub use serial::open_serial;
 pub use tcp::connect_tcp;
+pub use udp::{UdpStream, connect_udp};
 
 use crate::Result;
 
@@ -77,6 +79,7 @@ impl Address {
     pub async fn open(&self, line: Line) -> Result<Io> {
         match self {
             Self::Tcp { host, port } => Ok(Box::new(connect_tcp(host, *port).await?)),
+            Self::Udp { host, port } => Ok(Box::new(connect_udp(host, *port).await?)),
             #[cfg(feature = "serial")]
             Self::Serial(name) => Ok(Box::new(open_serial(name, line)?)),
             #[cfg(not(feature = "serial"))]
@@ -86,8 +89,15 @@ impl Address {
             }
             #[cfg(feature = "sim")]
             Self::Sim => Ok(Box::new(crate::sim::in_process(crate::sim::Config::default()))),
+            #[cfg(feature = "sim")]
+            Self::SimFile(_) => Err(crate::Error::Open {
+                address: self.to_string(),
+                source: std::io::ErrorKind::Unsupported.into(),
+            }),
             #[cfg(not(feature = "sim"))]
-            Self::Sim => Err(crate::Error::NotBuilt { address: self.to_string(), feature: "sim" }),
+            Self::Sim | Self::SimFile(_) => {
+                Err(crate::Error::NotBuilt { address: self.to_string(), feature: "sim" })
+            }
         }
     }
 
@@ -95,7 +105,7 @@ impl Address {
     pub const fn baud(&self, line: Line) -> Option<u32> {
         match self {
             Self::Serial(_) => Some(line.baud),
-            Self::Tcp { .. } | Self::Sim => None,
+            _ => None,
         }
     }
 }

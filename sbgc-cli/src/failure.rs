@@ -155,7 +155,7 @@ fn host(error: &Error) -> (&'static str, u8) {
         | Error::Misaligned { .. }
         | Error::FileSize { .. }
         | Error::BadNote { .. } => ("usage", 2),
-        Error::Timeout { .. } => ("no_answer", 3),
+        Error::Timeout { .. } | Error::Silent { .. } | Error::OtherProtocol { .. } => ("no_answer", 3),
         Error::Refused { .. } => ("refused", 4),
         Error::Io(_)
         | Error::Open { .. }

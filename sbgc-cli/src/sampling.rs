@@ -179,6 +179,14 @@ impl Sampling {
                 continue;
             };
             return match sample {
+                Some(Sample::Interrupted(why)) => {
+                    tracing::info!("stream interrupted: {why}; registering it again");
+                    continue;
+                }
+                Some(Sample::Resumed(after)) => {
+                    tracing::info!("stream resumed after {} ms", after.as_millis());
+                    continue;
+                }
                 None => Err(sbgc_host::Error::Disconnected.into()),
                 Some(Sample::Lagged(lost)) => Ok(Next::Lost(lost)),
                 Some(Sample::Payload(payload)) => Ok(Next::Sample(payload.to_vec(), self.began.elapsed())),

@@ -253,7 +253,7 @@ fn a_board_that_was_reset_streams_again() {
     });
     let output = success(&["--port", &port, "-v", "stream", "--interval", "2", "--count", "300", "--json"]);
     assert_eq!(objects(&output).len(), 300);
-    assert!(stderr(&output).contains("asking for them again"), "{}", stderr(&output));
+    assert!(stderr(&output).contains("stream resumed"), "{}", stderr(&output));
     board.kill().unwrap();
     board.wait().unwrap();
     between.join().unwrap();

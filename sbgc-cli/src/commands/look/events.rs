@@ -80,6 +80,7 @@ impl Events {
             match events.next().await {
                 None => return Err(Error::Disconnected.into()),
                 Some(Sample::Lagged(lost)) => talk::say(format_args!("{lost} events lost")),
+                Some(Sample::Interrupted(_) | Sample::Resumed(_)) => {}
                 Some(Sample::Payload(payload)) => {
                     left -= 1;
                     let id = CommandId::Event.raw();

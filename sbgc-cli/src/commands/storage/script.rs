@@ -174,6 +174,7 @@ async fn trace(global: &Global, output: &mut Output, slot: Option<u8>) -> Result
                 }
                 Item::Lagged(count) => talk::say(format_args!("{count} steps were lost")),
                 Item::Undecoded(error) => talk::say(error),
+                Item::Interrupted(_) | Item::Resumed(_) | Item::WrongLength { .. } => {}
             }
             output.flush()?;
         }

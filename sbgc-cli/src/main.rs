@@ -23,6 +23,7 @@ mod connect;
 mod failure;
 mod fields;
 mod files;
+mod line;
 mod options;
 mod output;
 mod places;

@@ -131,7 +131,7 @@ impl Output {
 }
 
 /// Compact JSON in which nothing is left that a terminal would obey.
-struct ForTerminals;
+pub(crate) struct ForTerminals;
 
 impl serde_json::ser::Formatter for ForTerminals {
     fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {

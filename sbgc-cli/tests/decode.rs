@@ -28,7 +28,7 @@ fn a_frame_by_hand_is_explained_in_both_versions() {
     let text = stdout(&run_with_input(&["decode"], READ_PARAMS_V1.as_bytes()));
     assert_eq!(
         text,
-        "0: CMD_READ_PARAMS (82) outgoing, form full, 1 bytes, version 1\n    profile_id = PROFILE_2 (1)\n"
+        "0: CMD_READ_PARAMS (82) outgoing, form full, 1 byte, version 1\n    profile_id = PROFILE_2 (1)\n"
     );
 }
 
@@ -73,6 +73,30 @@ fn every_intact_frame_is_found_and_every_other_byte_accounted_for() {
     for cause in ["no_start_byte", "payload_checksum", "truncated"] {
         assert!(causes.contains(&&json!(cause)), "{causes:?}");
     }
+}
+
+#[test]
+fn a_summary_accounts_for_every_byte() {
+    let capture = [&damaged()[..], &[0x3E, 0x52, 0, 0x52, 0]].concat();
+    let output = run_with_input(&["decode", "--direction", "outgoing", "--json", "--summary"], &capture);
+    let objects = objects(&output);
+    assert_eq!(
+        objects[0],
+        json!({
+            "kind": "frames", "direction": "outgoing", "id": 82, "name": "CMD_READ_PARAMS",
+            "frames": 4, "bytes": 25, "undecoded": 1,
+        })
+    );
+    let skipped: u64 = objects[1..]
+        .iter()
+        .map(|object| {
+            assert_eq!(object["kind"], "skipped");
+            object["length"].as_u64().unwrap()
+        })
+        .sum();
+    assert_eq!(usize::try_from(skipped), Ok(capture.len() - 25));
+    let text = stdout(&run_with_input(&["decode", "--direction", "outgoing", "--summary"], &capture));
+    assert!(text.contains("CMD_READ_PARAMS (82) outgoing: 4 frames, 25 bytes, 1 undecoded\n"), "{text}");
 }
 
 #[test]
@@ -131,14 +155,25 @@ fn answers_are_read_with_their_request_in_mind() {
 }
 
 #[test]
-fn what_cannot_be_decoded_is_said() {
-    let output = run_with_input(&["decode", "--json", "--direction", "incoming"], b"3E 56 03 59 01 02 03 06");
+fn what_cannot_be_decoded_is_shown_as_fully_as_what_can() {
+    let frame = b"3E 56 03 59 01 02 03 06";
+    let output = run_with_input(&["decode", "--json", "--direction", "incoming"], frame);
     assert!(output.status.success());
     let objects = objects(&output);
-    assert_eq!(objects[0]["kind"], "undecoded");
-    assert_eq!((&objects[0]["id"], &objects[0]["length"]), (&json!(86), &json!(3)));
     let error = objects[0]["error"].as_str().unwrap();
     assert!(error.contains('3') && error.contains("18"), "both lengths are said: {error}");
+    assert_eq!(
+        objects,
+        [json!({
+            "kind": "undecoded", "at": 0, "version": 1, "direction": "incoming", "id": 86, "name": "CMD_BOARD_INFO",
+            "length": 3, "payload": "010203", "error": error,
+        })]
+    );
+    let keys: Vec<&String> = objects[0].as_object().unwrap().keys().collect();
+    assert_eq!(keys, ["kind", "at", "version", "direction", "id", "name", "length", "payload", "error"]);
+    let text = stdout(&run_with_input(&["decode", "--direction", "incoming"], frame));
+    assert!(text.starts_with("0: CMD_BOARD_INFO (86) incoming, undecoded, 3 bytes, version 1\n"), "{text}");
+    assert!(text.contains("payload 010203\n"), "{text}");
 
     let unknown = common::objects(&run_with_input(&["decode", "--json"], b"3E C8 01 C9 05 05"));
     assert_eq!((&unknown[0]["name"], &unknown[0]["form"]), (&Value::Null, &json!("unknown")));
@@ -211,6 +246,15 @@ fn frames_are_shown_while_the_pipe_stays_open() {
         let shown: Value = serde_json::from_str(&lines.next().unwrap().unwrap()).unwrap();
         assert_eq!(shown["fields"][0]["raw"], profile);
     }
+    // A false start that announces 200 bytes hides the next frame until the gap that ends it.
+    input.write_all(&[0x24, 0x20, 0xC8, 0xE8, 0x3E, 0x52, 0x01, 0x53, 4, 4]).unwrap();
+    let shown = loop {
+        let shown: Value = serde_json::from_str(&lines.next().unwrap().unwrap()).unwrap();
+        if shown["kind"] == "frame" {
+            break shown;
+        }
+    };
+    assert_eq!(shown["at"], 16);
     // Whoever reads has had enough.
     drop(lines);
     let _ = input.write_all(&[0x3E, 0x52, 0x01, 0x53, 3, 3]);

@@ -1,6 +1,7 @@
 //! What frames mean, with what was said before in mind.
 
 use std::collections::VecDeque;
+use std::sync::LazyLock;
 
 use sbgc_proto::commands::{
     CanDrvTelemetry, CanDrvTelemetryFlags, DebugVarKind, DebugVars3, RealtimeDataCustom, RealtimeDataCustom2,
@@ -101,6 +102,11 @@ impl Interpreter {
     pub fn new(custom_flags: Option<u32>) -> Self {
         let fallback = custom_flags.map(RealtimeDataCustomFlags::from_bits_retain);
         Interpreter { fallback, ..Self::default() }
+    }
+
+    /// The direction that [`interpret`](Self::interpret) takes where none is known: the one that id and length fit.
+    pub fn likely_direction(id: u8, length: usize) -> Direction {
+        likely_direction(CommandId::from_raw(id), length)
     }
 
     /// Reads a payload. Without a direction, the one that its id and length fit is taken; where both fit, outgoing.
@@ -218,10 +224,10 @@ impl<F> Default for Requests<F> {
 
 /// The direction whose narrowest form the length fits.
 pub(super) fn likely_direction(id: CommandId, length: usize) -> Direction {
-    let narrowest = |all: &'static [MessageInfo]| {
-        let forms = all.iter().filter(|info| info.id == id);
+    let narrowest = |forms: &[&'static MessageInfo]| {
         // A form that the length does not fit is better than none.
         forms
+            .iter()
             .map(|info| {
                 let fits = info.size.contains(&length) && (info.accepts)(length);
                 if fits { info.size.end() - info.size.start() } else { 1000 }
@@ -229,9 +235,24 @@ pub(super) fn likely_direction(id: CommandId, length: usize) -> Direction {
             .min()
             .unwrap_or(usize::MAX)
     };
-    if narrowest(IncomingCommand::ALL) < narrowest(OutgoingCommand::ALL) {
+    let Some(forms) = FORMS.get(usize::from(id.raw())) else { return Direction::Outgoing };
+    if narrowest(&forms.incoming) < narrowest(&forms.outgoing) {
         Direction::Incoming
     } else {
         Direction::Outgoing
     }
 }
+
+/// The forms of one command.
+#[derive(Default)]
+struct Forms {
+    incoming: Vec<&'static MessageInfo>,
+    outgoing: Vec<&'static MessageInfo>,
+}
+
+/// The forms of all commands by id, so that none has to be searched for.
+static FORMS: LazyLock<Vec<Forms>> = LazyLock::new(|| {
+    let of = |all: &'static [MessageInfo], id: u8| all.iter().filter(|info| info.id.raw() == id).collect();
+    let forms = |id| Forms { incoming: of(IncomingCommand::ALL, id), outgoing: of(OutgoingCommand::ALL, id) };
+    (0..=u8::MAX).map(forms).collect()
+});

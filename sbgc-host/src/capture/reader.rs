@@ -125,6 +125,36 @@ impl Reader {
         Ok(())
     }
 
+    /// After so long without bytes from a pipe that is still open, [`idle`](Self::idle) should be called: the gap that
+    /// ends a false start of a frame.
+    pub const GAP: Duration = Duration::from_millis(100);
+
+    /// Whether bytes wait for more, because they may be the beginning of a frame.
+    pub fn is_waiting(&self) -> bool {
+        self.decoder.pending() > 0
+    }
+
+    /// Reports the frames behind a false start whose bytes have stopped coming.
+    ///
+    /// A beginning with no whole frame behind it goes on waiting, so that a frame that comes slowly stays whole.
+    pub fn idle(&mut self, item: &mut dyn FnMut(Item)) {
+        while holds_frame(self.decoder.clone()) {
+            loop {
+                let event = match self.decoder.next(&mut &[][..]) {
+                    Some(event) => event,
+                    None => match self.decoder.skip_candidate() {
+                        Some(skipped) => Event::Skipped(skipped),
+                        None => return,
+                    },
+                };
+                report(&mut self.skipped, &event, item);
+                if matches!(event, Event::Frame { .. }) {
+                    break;
+                }
+            }
+        }
+    }
+
     /// Ends the capture: what waits for more bytes gets none.
     ///
     /// # Errors
@@ -179,6 +209,21 @@ impl Reader {
             None => item(Item::Skipped { at, length, cause: Cause::NoStartByte }),
         }
         self.line.clear();
+    }
+}
+
+/// Whether a whole frame waits behind a false start.
+fn holds_frame(mut decoder: Decoder) -> bool {
+    loop {
+        match decoder.next(&mut &[][..]) {
+            Some(Event::Frame { .. }) => return true,
+            Some(Event::Skipped(_)) => {}
+            None => {
+                if decoder.skip_candidate().is_none() {
+                    return false;
+                }
+            }
+        }
     }
 }
 
@@ -350,6 +395,25 @@ mod tests {
         assert_eq!(first(b"3E 56 00 56 00"), 1);
         assert_eq!(first(&[0x3E, 0x56, 0x00, 0x56, 0x00]), 1);
         assert_eq!(first(b"12:00:01 out: [82,1] 01\n"), 1);
+    }
+
+    #[test]
+    fn frames_behind_a_false_start_are_shown_after_a_gap() {
+        let (mut reader, mut items) = (Reader::new(Format::Bin), Vec::new());
+        // A start that announces 200 bytes, a frame, and half of another.
+        let capture = [0x24, 0x20, 0xC8, 0xE8, 0x3E, 0x52, 0x01, 0x53, 0x01, 0x01, 0x3E, 0x52, 0x01];
+        reader.feed(&capture, &mut |item| items.push(item)).unwrap();
+        assert!(items.is_empty() && reader.is_waiting());
+        reader.idle(&mut |item| items.push(item));
+        assert_eq!(items.last(), Some(&frame(4, Version::V1, 82, &[1])));
+        // The half stays whole however long it takes.
+        items.clear();
+        for byte in [0x53, 0x02, 0x02] {
+            reader.idle(&mut |item| items.push(item));
+            assert!(items.is_empty() && reader.is_waiting());
+            reader.feed(&[byte], &mut |item| items.push(item)).unwrap();
+        }
+        assert_eq!(items, [frame(10, Version::V1, 82, &[2])]);
     }
 
     #[test]

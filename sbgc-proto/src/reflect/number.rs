@@ -188,11 +188,17 @@ impl Number {
         self.multiply != self.divide
     }
 
+    /// The name of `raw` in an enumeration or of a special case, if it has one.
+    pub fn name(&self, raw: i64) -> Option<&'static str> {
+        let (Meaning::Enum(labels) | Meaning::Special(labels)) = self.meaning else { return None };
+        labels.iter().find(|label| label.value == raw).map(|label| label.name)
+    }
+
     /// The names that `raw` has, if any.
     pub fn label(&self, raw: i64) -> Option<impl fmt::Display + use<>> {
         let named = match self.meaning {
             Meaning::Plain => false,
-            Meaning::Enum(labels) | Meaning::Special(labels) => labels.iter().any(|label| label.value == raw),
+            Meaning::Enum(_) | Meaning::Special(_) => self.name(raw).is_some(),
             Meaning::Flags(_) => raw != 0,
             Meaning::Bits(..) | Meaning::Shown { .. } => true,
         };

@@ -55,19 +55,42 @@ enum Step {
     Index(usize),
 }
 
-impl fmt::Display for Path<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Path<'_> {
+    /// Appends what [`Display`](fmt::Display) shows, without the cost of formatting.
+    ///
+    /// # Errors
+    /// If `out` fails.
+    pub fn write_to<W: fmt::Write + ?Sized>(&self, out: &mut W) -> fmt::Result {
         if let Some(parent) = self.parent {
-            parent.fmt(f)?;
+            parent.write_to(out)?;
             if matches!((parent.step, self.step), (Step::Name(_) | Step::Index(_), Step::Name(_))) {
-                f.write_str(".")?;
+                out.write_char('.')?;
             }
         }
         match self.step {
             Step::Root => Ok(()),
-            Step::Name(name) => f.write_str(name),
-            Step::Index(index) => write!(f, "[{index}]"),
+            Step::Name(name) => out.write_str(name),
+            Step::Index(index) => {
+                out.write_char('[')?;
+                write_number(index, out)?;
+                out.write_char(']')
+            }
         }
+    }
+}
+
+fn write_number<W: fmt::Write + ?Sized>(number: usize, out: &mut W) -> fmt::Result {
+    if number >= 10 {
+        write_number(number / 10, out)?;
+    }
+    #[allow(clippy::cast_possible_truncation, reason = "a digit")]
+    let digit = (number % 10) as u8;
+    out.write_char(char::from(b'0' + digit))
+}
+
+impl fmt::Display for Path<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.write_to(f)
     }
 }
 

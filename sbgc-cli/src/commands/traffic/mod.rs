@@ -3,10 +3,13 @@
 mod danger;
 mod decode;
 mod encode;
+mod explain;
+mod pieces;
 mod proxy;
 mod record;
 mod replay;
 mod sim;
+mod summary;
 
 use clap::Subcommand;
 

@@ -9,7 +9,7 @@ use clap::Args;
 use sbgc_host::Gimbal;
 use sbgc_host::capture::{Frames, Item, Passed, Recorder};
 
-use super::decode::Explainer;
+use super::explain::Explainer;
 use crate::connect::with_tapped_board;
 use crate::failure::{Failure, until_stopped};
 use crate::options::Global;

@@ -9,7 +9,8 @@ use sbgc_proto::Direction;
 use serde_json::json;
 
 use super::danger::{changes, dangerous};
-use super::decode::{Explainer, From, read_all};
+use super::decode::{From, read_all};
+use super::explain::Explainer;
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::options::Global;

@@ -7,6 +7,7 @@ use serde_json::Value;
 
 use super::*;
 use crate::fields;
+use crate::line::Line;
 
 /// Example frames of all commands, made independently of this program.
 const VECTORS: &str = include_str!("../../../../../sbgc-proto/tests/protocol/vectors.jsonl");
@@ -22,13 +23,17 @@ enum Print {
 fn printed(leaf: &Leaf<'_>, print: Print) -> (String, String) {
     match print {
         Print::Json => {
-            let json = fields::to_json(leaf);
+            let mut line = Line::default();
+            fields::write_json(leaf, &mut line);
+            let json: Value = serde_json::from_slice(line.as_bytes()).unwrap();
             let value = if json["value"].is_null() { &json["raw"] } else { &json["value"] };
             let value = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
             (json["path"].as_str().unwrap().to_owned(), value)
         }
         Print::Text => {
-            let text = fields::to_text(leaf);
+            let mut line = Line::default();
+            fields::write_text(leaf, &mut line);
+            let text = line.into_text();
             let (path, value) = text.split_once(" = ").unwrap();
             (path.to_owned(), value.to_owned())
         }

@@ -4,14 +4,15 @@ use std::collections::VecDeque;
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::CommandId;
-use sbgc_proto::commands::{PortAndDirection, RcSource, SetDebugPort, SystemSubError};
+use sbgc_proto::commands::{Confirm, PortAndDirection, RcSource, SetDebugPort, SystemSubError};
 use sbgc_proto::frame::Version;
 use sbgc_proto::wire::PerAxis;
+use sbgc_proto::{CommandId, Message};
 
 use super::answers;
 use super::config::Config;
 use super::eeprom::Eeprom;
+use super::faults::Fault;
 use super::line::{Line, LineCounters, Received};
 use super::machine::{Call, Machine};
 use super::motion::Motion;
@@ -80,6 +81,14 @@ pub struct Board {
     /// Until when it is deaf.
     booting_until: Duration,
     resets: u64,
+    /// Resets of faults, the next one first.
+    planned_resets: Vec<Duration>,
+    /// From when until when the line is dead, and the board stands still.
+    unplugged: Vec<(Duration, Duration)>,
+    stalled: Vec<(Duration, Duration)>,
+    confirms: bool,
+    /// What goes wrong on every line, those of ports that come later included.
+    injected: Vec<Fault>,
     taken: VecDeque<TakenCommand>,
 }
 
@@ -105,16 +114,69 @@ impl Board {
     }
 
     fn start(config: Config, eeprom: Eeprom) -> Self {
-        let port = Port { line: Line::new(config.bit_rate), version: Version::V1, open: true };
-        Self {
+        let port = Port { line: Line::new(config.bit_rate, config.seed), version: Version::V1, open: true };
+        let faults = config.faults.clone();
+        let mut board = Self {
             ports: vec![port],
             machine: Machine::new(config, eeprom),
             now: Duration::ZERO,
             reset_at: None,
             booting_until: Duration::ZERO,
             resets: 0,
+            planned_resets: Vec::new(),
+            unplugged: Vec::new(),
+            stalled: Vec::new(),
+            confirms: true,
+            injected: Vec::new(),
             taken: VecDeque::new(),
+        };
+        for fault in faults {
+            board.inject(fault);
         }
+        board
+    }
+
+    /// Lets something go wrong from now on, or at its time.
+    pub fn inject(&mut self, fault: Fault) {
+        match fault {
+            Fault::Corrupt { way, .. }
+            | Fault::Drop { way, .. }
+            | Fault::Duplicate { way, .. }
+            | Fault::Delay { way, .. } => {
+                for port in &mut self.ports {
+                    port.line.tamper(way, fault);
+                }
+            }
+            Fault::Reset { at } => {
+                self.planned_resets.push(at);
+                self.planned_resets.sort_unstable();
+            }
+            Fault::Unplug { at, lasts } => self.unplugged.push((at, at.saturating_add(lasts))),
+            Fault::Stall { at, lasts } => self.stalled.push((at, at.saturating_add(lasts))),
+            Fault::NoConfirm => self.confirms = false,
+            Fault::LowBattery => self.machine.power.empty(Some(self.now)),
+            Fault::Sensor => self.set_sensor(false),
+        }
+        self.injected.push(fault);
+    }
+
+    /// Ends what goes wrong.
+    pub fn clear_faults(&mut self) {
+        for port in &mut self.ports {
+            port.line.stop_tampering();
+        }
+        self.planned_resets.clear();
+        self.unplugged.clear();
+        self.stalled.clear();
+        self.confirms = true;
+        self.machine.power.empty(None);
+        self.set_sensor(true);
+        self.injected.clear();
+    }
+
+    /// Whether the line is dead now, because of a fault.
+    pub fn is_unplugged(&self) -> bool {
+        covers(&self.unplugged, self.now)
     }
 
     /// Adds a port, or reuses one that was given back, and returns its number. At most 255 are open at once.
@@ -122,8 +184,18 @@ impl Board {
         let free = self.ports.iter().position(|port| !port.open);
         let index = free.unwrap_or(self.ports.len());
         let number = u8::try_from(index).ok().filter(|number| *number < u8::MAX)?;
-        let rate = self.machine.config().bit_rate;
-        let port = Port { line: Line::new(rate), version: Version::V1, open: true };
+        let config = self.machine.config();
+        let mut line = Line::new(config.bit_rate, config.seed.wrapping_add(u64::from(number)));
+        for fault in &self.injected {
+            if let Fault::Corrupt { way, .. }
+            | Fault::Drop { way, .. }
+            | Fault::Duplicate { way, .. }
+            | Fault::Delay { way, .. } = *fault
+            {
+                line.tamper(way, *fault);
+            }
+        }
+        let port = Port { line, version: Version::V1, open: true };
         match self.ports.get_mut(index) {
             Some(place) => *place = port,
             None => self.ports.push(port),
@@ -141,6 +213,20 @@ impl Board {
         self.machine.debug_ports.remove(&port);
     }
 
+    /// Changes the bit rate of a port's line; `None` for one that is never the bottleneck.
+    pub fn set_bit_rate(&mut self, port: u8, bit_rate: Option<u32>) {
+        if let Some(port) = self.ports.get_mut(usize::from(port)) {
+            port.line.set_bit_rate(bit_rate);
+        }
+    }
+
+    /// Lets bytes of a port's host be there at once, whatever the bit rate, as a network delivers them.
+    pub fn read_at_once(&mut self, port: u8) {
+        if let Some(port) = self.ports.get_mut(usize::from(port)) {
+            port.line.read_at_once();
+        }
+    }
+
     /// Puts bytes of the host on the line at `now`.
     pub fn receive(&mut self, now: Duration, bytes: &[u8]) {
         self.receive_on(0, now, bytes);
@@ -149,7 +235,8 @@ impl Board {
     /// Puts bytes of a host on the line of a port at `now`.
     pub fn receive_on(&mut self, port: u8, now: Duration, bytes: &[u8]) {
         self.advance(now);
-        if let Some(port) = self.ports.get_mut(usize::from(port)) {
+        let dead = self.is_unplugged();
+        if let Some(port) = self.ports.get_mut(usize::from(port)).filter(|_| !dead) {
             port.line.carry_in(self.now, bytes);
         }
     }
@@ -178,8 +265,15 @@ impl Board {
     }
 
     fn carry_out(&mut self, now: Duration) {
+        if covers(&self.stalled, now) {
+            return;
+        }
+        let dead = covers(&self.unplugged, now);
         for port in &mut self.ports {
             port.line.carry_out(now);
+            if dead {
+                port.line.cut();
+            }
         }
     }
 
@@ -194,12 +288,19 @@ impl Board {
             busy.then(|| next_multiple(self.now, POLL)),
             self.machine.streams.next(),
             self.reset_at.map(|(time, _)| time),
+            self.planned_resets.first().copied(),
+            self.edges().filter(|time| *time > self.now).min(),
         ]
         .into_iter()
         .flatten()
         .min()
         // Whatever is overdue happens a moment later, so that time goes on.
         .map(|time| time.max(self.now.saturating_add(Duration::from_nanos(1))))
+    }
+
+    /// When faults begin and end.
+    fn edges(&self) -> impl Iterator<Item = Duration> {
+        self.unplugged.iter().chain(&self.stalled).flat_map(|(from, until)| [*from, *until])
     }
 
     /// What has arrived at the host since the last call.
@@ -211,7 +312,7 @@ impl Board {
     pub fn take_output_of(&mut self, port: u8) -> Bytes {
         let Some(port) = self.ports.get_mut(usize::from(port)) else { return Bytes::new() };
         let output = port.line.take_gone();
-        port.line.carry_out(self.now);
+        self.carry_out(self.now);
         output
     }
 
@@ -275,22 +376,16 @@ impl Board {
         self.machine.steer(self.now);
     }
 
-    /// Lets the battery empty from now on, or fills it.
-    pub fn set_low_battery(&mut self, low: bool) {
-        self.machine.power.empty(low.then_some(self.now));
-    }
-
     /// Disconnects the sensor of the camera, which is an emergency, or connects it again.
-    pub fn set_sensor(&mut self, connected: bool) {
+    fn set_sensor(&mut self, connected: bool) {
         self.machine.imu.connected = connected;
         if !connected {
             self.machine.emergency_stop(self.now, SystemSubError::ImuSensorNotResponding);
         }
     }
 
-    /// Resets the board now, as its power going off and on does, with the notice that it gives before a reset of its
-    /// own.
-    pub fn reset_with_notice(&mut self) {
+    /// Resets the board now, with the notice that it gives before a reset of its own.
+    fn reset_with_notice(&mut self) {
         let payload = Vec::new();
         self.send_to_all(&Packet { id: CommandId::Reset, payload });
         self.reset_at = Some((self.now, self.machine.config().boot));
@@ -300,8 +395,13 @@ impl Board {
         if let Some((_, deaf)) = self.reset_at.take_if(|(at, _)| *at <= time) {
             self.reset(time, deaf);
         }
+        if self.planned_resets.first().is_some_and(|at| *at <= time) {
+            self.planned_resets.remove(0);
+            self.reset_with_notice();
+        }
         if time >= self.booting_until {
-            for sample in answers::samples(&mut self.machine, time) {
+            let stalled = covers(&self.stalled, time);
+            for sample in answers::samples(&mut self.machine, time).into_iter().filter(|_| !stalled) {
                 let (to, packet) = (sample.to, sample.packet);
                 if sample.optional {
                     if let Some(port) = self.ports.get_mut(usize::from(to.port)) {
@@ -319,16 +419,20 @@ impl Board {
     }
 
     fn poll(&mut self, time: Duration) {
+        let stalled = covers(&self.stalled, time);
         let deaf = time < self.booting_until;
         for index in 0..self.ports.len() {
             let Some(port) = self.ports.get_mut(index) else { continue };
             port.line.take_in(time, deaf);
             let number = u8::try_from(index).unwrap_or_default();
+            if stalled {
+                continue;
+            }
             while let Some(received) = self.ports.get_mut(index).and_then(|port| port.line.next_command()) {
                 self.carry_out_command(time, number, &received);
             }
         }
-        if !deaf {
+        if !deaf && !stalled {
             for (port, reply) in answers::poll(&mut self.machine, time) {
                 self.follow(time, port, reply);
             }
@@ -363,6 +467,9 @@ impl Board {
     }
 
     fn send(&mut self, time: Duration, port: u8, packet: &Packet) {
+        if packet.id.raw() == Confirm::ID.raw() && !self.confirms {
+            return;
+        }
         if let Some(port) = self.ports.get_mut(usize::from(port)).filter(|port| port.open) {
             port.line.send(time, port.version, packet.id.raw(), &packet.payload);
         }
@@ -404,6 +511,11 @@ impl Board {
         self.machine.reset();
         self.booting_until = time.saturating_add(deaf);
     }
+}
+
+/// Whether a time is within one of these spans.
+fn covers(spans: &[(Duration, Duration)], time: Duration) -> bool {
+    spans.iter().any(|(from, until)| (*from..*until).contains(&time))
 }
 
 /// The first multiple of `step` after `time`.

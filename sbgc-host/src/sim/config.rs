@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use sbgc_proto::units::{BoardVersion, FirmwareVersion};
 
+use super::faults::Fault;
+
 /// From this version on the board knows everything that is published.
 const NEW: FirmwareVersion = FirmwareVersion::new(2, 73, 0);
 
@@ -36,6 +38,8 @@ pub struct Config {
     pub parameters: Vec<StoredBlock>,
     /// Size of the EEPROM in bytes.
     pub eeprom_size: usize,
+    /// What goes wrong.
+    pub faults: Vec<Fault>,
     /// What the noise of the sensors and random faults begin with; a run with the same seed repeats itself.
     pub seed: u64,
 }
@@ -52,6 +56,7 @@ impl Default for Config {
             profile: 0,
             parameters: Vec::new(),
             eeprom_size: 32 * 1024,
+            faults: Vec::new(),
             seed: 0,
         }
     }

@@ -83,7 +83,7 @@ fn params_3(profile: u8) -> Params3 {
         adaptive_pid_rate: 20,
         adaptive_pid_recovery_factor: 3,
         follow_lpf: [5; 3].into(),
-        general_flags1: GeneralFlags1::empty(),
+        general_flags1: GeneralFlags1::REMEMBER_LAST_USED_PROFILE,
         cur_imu: ImuType::Main,
         cur_profile_id: ProfileId::Profile1,
         ..Params3::default()

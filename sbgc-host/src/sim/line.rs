@@ -14,6 +14,8 @@ use std::time::Duration;
 use bytes::{Bytes, BytesMut};
 use sbgc_proto::frame::{self, BOARD_BUFFER, Decoder, Event, Version, Versions};
 
+use super::faults::{Fault, Tamper, Way};
+
 /// Bytes that have left the board and that the host may leave unread; what comes then is lost.
 const HOST_BUFFER: usize = 4096;
 
@@ -65,6 +67,13 @@ pub(super) struct Line {
     queue: VecDeque<Received>,
     queued_bytes: usize,
     waiting: VecDeque<Vec<u8>>,
+    /// Frames that arrive later because of a fault, in both directions.
+    delayed: VecDeque<(Duration, Vec<u8>)>,
+    delayed_in: VecDeque<(Duration, Received)>,
+    tamper_in: Tamper,
+    tamper_out: Tamper,
+    /// Whether bytes of the host take no time.
+    at_once: bool,
     output: BytesMut,
     /// When the last byte of `gone` was on its way.
     gone_until: Duration,
@@ -73,10 +82,9 @@ pub(super) struct Line {
 }
 
 impl Line {
-    pub(super) fn new(bit_rate: Option<u32>) -> Self {
-        let byte_time = bit_rate.and_then(|rate| Duration::from_secs(10).checked_div(rate));
+    pub(super) fn new(bit_rate: Option<u32>, seed: u64) -> Self {
         Self {
-            byte_time: byte_time.filter(|time| !time.is_zero()),
+            byte_time: byte_time(bit_rate),
             coming: VecDeque::new(),
             coming_until: Duration::ZERO,
             last_byte: Duration::ZERO,
@@ -84,6 +92,11 @@ impl Line {
             queue: VecDeque::new(),
             queued_bytes: 0,
             waiting: VecDeque::new(),
+            delayed: VecDeque::new(),
+            delayed_in: VecDeque::new(),
+            tamper_in: Tamper::new(seed),
+            tamper_out: Tamper::new(!seed),
+            at_once: false,
             output: BytesMut::new(),
             gone_until: Duration::ZERO,
             gone: BytesMut::new(),
@@ -97,7 +110,37 @@ impl Line {
         self.queue.clear();
         self.queued_bytes = 0;
         self.waiting.clear();
+        self.delayed.clear();
+        self.delayed_in.clear();
         self.output.clear();
+    }
+
+    /// Forgets what is on the wire, too.
+    pub(super) fn cut(&mut self) {
+        self.coming.clear();
+        self.gone.clear();
+    }
+
+    pub(super) fn set_bit_rate(&mut self, bit_rate: Option<u32>) {
+        self.byte_time = byte_time(bit_rate);
+    }
+
+    /// Lets bytes of the host be there at once, whatever the bit rate.
+    pub(super) fn read_at_once(&mut self) {
+        self.at_once = true;
+    }
+
+    /// Lets something go wrong with frames.
+    pub(super) fn tamper(&mut self, way: Way, fault: Fault) {
+        match way {
+            Way::In => self.tamper_in.set(fault),
+            Way::Out => self.tamper_out.set(fault),
+        }
+    }
+
+    pub(super) fn stop_tampering(&mut self) {
+        self.tamper_in.clear();
+        self.tamper_out.clear();
     }
 
     pub(super) fn counters(&self) -> LineCounters {
@@ -120,11 +163,17 @@ impl Line {
 
     /// Takes in what the wire has brought. With `deaf` it is lost.
     pub(super) fn take_in(&mut self, now: Duration, deaf: bool) {
+        while self.delayed_in.front().is_some_and(|(time, _)| *time <= now) {
+            if let Some((_, received)) = self.delayed_in.pop_front() {
+                self.enqueue(received);
+            }
+        }
+        let byte_time = self.byte_time.filter(|_| !self.at_once);
         while let Some((start, bytes)) = self.coming.front_mut() {
-            let there = carried(self.byte_time, now.saturating_sub(*start), bytes.len());
+            let there = carried(byte_time, now.saturating_sub(*start), bytes.len());
             let chunk = bytes.split_to(there);
             let last = bytes.is_empty();
-            if let Some(byte_time) = self.byte_time {
+            if let Some(byte_time) = byte_time {
                 *start = start.saturating_add(times(byte_time, there));
             }
             if last {
@@ -133,7 +182,7 @@ impl Line {
             if !chunk.is_empty() {
                 self.last_byte = now;
                 if !deaf {
-                    self.decode(&chunk);
+                    self.decode(now, &chunk);
                 }
             }
             if !last {
@@ -142,12 +191,12 @@ impl Line {
         }
         if now.saturating_sub(self.last_byte) >= GAP {
             while self.decoder.skip_candidate().is_some() {
-                self.decode(&[]);
+                self.decode(now, &[]);
             }
         }
     }
 
-    fn decode(&mut self, mut chunk: &[u8]) {
+    fn decode(&mut self, now: Duration, mut chunk: &[u8]) {
         while let Some(event) = self.decoder.next(&mut chunk) {
             match event {
                 Event::Skipped(skipped) => self.counters.skipped_bytes += skipped.length as u64,
@@ -157,22 +206,41 @@ impl Line {
                     if received.version == Version::V2 {
                         self.decoder.set_versions(Versions::Only(Version::V2));
                     }
-                    let length = received.frame_len();
-                    if self.queued_bytes + length > BOARD_BUFFER {
-                        self.counters.lost += 1;
-                    } else {
-                        self.queued_bytes += length;
-                        self.counters.input_peak = self.counters.input_peak.max(self.queued_bytes);
-                        self.queue.push_back(received);
+                    let (copies, spoiled) = self.tamper_in.fate();
+                    for _ in 0..copies {
+                        if spoiled {
+                            // Its sum is wrong then, and the board ignores it.
+                            self.counters.skipped_bytes += received.frame_len() as u64;
+                        } else if self.tamper_in.delay.is_zero() {
+                            self.enqueue(received.clone());
+                        } else {
+                            let time = now.saturating_add(self.tamper_in.delay);
+                            self.delayed_in.push_back((time, received.clone()));
+                        }
                     }
                 }
             }
         }
     }
 
+    /// Puts a command into the input buffer, if it has room for it.
+    fn enqueue(&mut self, received: Received) {
+        let length = received.frame_len();
+        if self.queued_bytes + length > BOARD_BUFFER {
+            self.counters.lost += 1;
+        } else {
+            self.queued_bytes += length;
+            self.counters.input_peak = self.counters.input_peak.max(self.queued_bytes);
+            self.queue.push_back(received);
+        }
+    }
+
     /// Whether something has to be looked at when the board next works through its queue.
     pub(super) fn is_busy(&self) -> bool {
-        !self.coming.is_empty() || !self.queue.is_empty() || self.decoder.pending() > 0
+        !self.coming.is_empty()
+            || !self.queue.is_empty()
+            || !self.delayed_in.is_empty()
+            || self.decoder.pending() > 0
     }
 
     /// The next command, unless an answer still waits for room.
@@ -188,11 +256,21 @@ impl Line {
 
     /// Sends a message; it waits where there is no room for it.
     pub(super) fn send(&mut self, now: Duration, version: Version, id: u8, payload: &[u8]) {
-        if let Some(frame) = encoded(version, id, payload) {
-            self.waiting.push_back(frame);
-            self.counters.sent += 1;
-            self.carry_out(now);
+        let Some(frame) = encoded(version, id, payload) else { return };
+        self.counters.sent += 1;
+        let (copies, spoiled) = self.tamper_out.fate();
+        for _ in 0..copies {
+            let mut frame = frame.clone();
+            if spoiled {
+                self.tamper_out.spoil(&mut frame);
+            }
+            if self.tamper_out.delay.is_zero() {
+                self.waiting.push_back(frame);
+            } else {
+                self.delayed.push_back((now.saturating_add(self.tamper_out.delay), frame));
+            }
         }
+        self.carry_out(now);
     }
 
     /// Sends a message, or skips it where there is no room for it.
@@ -213,6 +291,9 @@ impl Line {
 
     /// Lets the wire carry to the host what it can up to `now`.
     pub(super) fn carry_out(&mut self, now: Duration) {
+        while self.delayed.front().is_some_and(|(time, _)| *time <= now) {
+            self.waiting.extend(self.delayed.pop_front().map(|(_, frame)| frame));
+        }
         loop {
             let most = self.output.len();
             let count = carried(self.byte_time, now.saturating_sub(self.gone_until), most);
@@ -244,15 +325,23 @@ impl Line {
 
     /// When the host should look for bytes again.
     pub(super) fn next_out(&self) -> Option<Duration> {
-        let byte_time = self.byte_time.filter(|_| !self.output.is_empty())?;
+        let delayed = self.delayed.front().map(|(time, _)| *time);
+        let Some(byte_time) = self.byte_time.filter(|_| !self.output.is_empty()) else { return delayed };
         // A host does not look for each byte: a millisecond or the rest of what is there.
         let count = self.output.len().clamp(1, 10);
-        Some(self.gone_until.saturating_add(times(byte_time, count)))
+        let next = self.gone_until.saturating_add(times(byte_time, count));
+        Some(delayed.map_or(next, |delayed| delayed.min(next)))
     }
 
     fn time_for(&self, count: usize) -> Duration {
         self.byte_time.map_or(Duration::ZERO, |byte_time| times(byte_time, count))
     }
+}
+
+/// The time of a byte with its start and stop bit.
+fn byte_time(bit_rate: Option<u32>) -> Option<Duration> {
+    let time = bit_rate.and_then(|rate| Duration::from_secs(10).checked_div(rate));
+    time.filter(|time| !time.is_zero())
 }
 
 fn times(time: Duration, count: usize) -> Duration {

@@ -12,7 +12,8 @@
 //!                 └─ Imu, Power, RcInputs, Pins, Bus, Script, …
 //! ```
 //!
-//! [`Board`] is deterministic and knows no clock; [`serve`] puts it behind any stream of bytes. Each module says in
+//! [`Board`] is deterministic and knows no clock; [`SharedBoard`] runs it by that of tokio, behind any stream of bytes.
+//! A test has a board with [`in_process`], and with [`simulate`] one that [`Fault`]s can be switched on in. Each module says in
 //! its source what in it is as on a real board and what is simplified.
 //!
 //! # Where the protocol leaves it open
@@ -36,6 +37,7 @@ mod config;
 mod eeprom;
 mod events;
 mod factory;
+mod faults;
 mod files;
 mod imu;
 mod line;
@@ -53,19 +55,24 @@ mod rc;
 mod reply;
 mod script;
 mod serve;
+mod state;
 mod steering;
 mod streams;
 mod tcp;
 mod variables;
+#[cfg(unix)]
+mod watch;
 
 pub use board::{Board, POLL, TakenCommand};
 pub use config::{Config, StoredBlock};
+pub use faults::{Fault, FaultError, Way};
 pub use line::LineCounters;
 pub use motion::{Axis, CYCLE, Goal, Limits, Motion};
 #[cfg(unix)]
-pub use pty::Pty;
-pub use serve::{in_process, serve};
-pub use tcp::serve_tcp;
+pub use pty::{LineRate, Pty};
+pub use serve::{SharedBoard, in_process, simulate, simulate_with_state};
+pub use state::StateFile;
+pub use tcp::{serve_shared_tcp, serve_tcp};
 
 #[cfg(test)]
 mod tests;

@@ -10,6 +10,16 @@ impl Noise {
         Self(seed.wrapping_add(1).wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1)
     }
 
+    /// True with this probability.
+    pub(super) fn chance(&mut self, probability: f64) -> bool {
+        probability > 0.0 && self.fraction() < probability
+    }
+
+    pub(super) fn byte(&mut self) -> u8 {
+        let [.., high] = self.next().to_le_bytes();
+        high
+    }
+
     fn next(&mut self) -> u64 {
         self.0 ^= self.0 >> 12;
         self.0 ^= self.0 << 25;
@@ -42,6 +52,14 @@ mod tests {
         };
         assert_eq!(numbers(7), numbers(7));
         assert_ne!(numbers(7), numbers(8));
+    }
+
+    #[test]
+    fn chances_come_out_as_often_as_they_should() {
+        let mut noise = Noise::new(0);
+        let hits = (0..10_000).filter(|_| noise.chance(0.1)).count();
+        assert!((900..1100).contains(&hits), "{hits}");
+        assert!(!noise.chance(0.0));
     }
 
     #[test]

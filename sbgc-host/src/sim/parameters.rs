@@ -415,6 +415,7 @@ fn format(eeprom: &mut Eeprom, config: &Config) {
     eeprom.set_region(Region::Names, &factory::names());
     eeprom.set_region(Region::VariableSlots, &[0; 128]);
     eeprom.set_region(Region::StateVars, &[0; 192]);
+    eeprom.set_cell(Cell::ActiveProfile, config.profile);
     eeprom.set_cell(Cell::ProfileSet, 1);
     eeprom.set_cell(Cell::SelectedImu, 1);
     eeprom.set_cell(Cell::VoltageScale, 128);

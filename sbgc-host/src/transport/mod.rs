@@ -90,10 +90,12 @@ impl Address {
             #[cfg(feature = "sim")]
             Self::Sim => Ok(Box::new(crate::sim::in_process(crate::sim::Config::default()))),
             #[cfg(feature = "sim")]
-            Self::SimFile(_) => Err(crate::Error::Open {
-                address: self.to_string(),
-                source: std::io::ErrorKind::Unsupported.into(),
-            }),
+            Self::SimFile(file) => {
+                match crate::sim::simulate_with_state(file, &crate::sim::Config::default()) {
+                    Ok((_, line)) => Ok(Box::new(line)),
+                    Err(source) => Err(crate::Error::Open { address: self.to_string(), source }),
+                }
+            }
             #[cfg(not(feature = "sim"))]
             Self::Sim | Self::SimFile(_) => {
                 Err(crate::Error::NotBuilt { address: self.to_string(), feature: "sim" })

@@ -4,10 +4,11 @@ use std::io;
 use std::path::PathBuf;
 use std::pin::Pin;
 
-use clap::{ArgGroup, Args};
+use clap::{ArgGroup, Args, ValueEnum};
+use sbgc_host::proto::units::FirmwareVersion;
+use sbgc_host::sim::{self, Board, Config, Fault, SharedBoard, StateFile};
 #[cfg(unix)]
-use sbgc_host::sim::Pty;
-use sbgc_host::sim::{self, Board, Config};
+use sbgc_host::sim::{LineRate, Pty};
 use serde_json::json;
 use tokio::net::TcpListener;
 
@@ -19,7 +20,13 @@ type Serving = Pin<Box<dyn Future<Output = io::Result<()>>>>;
 
 const EXAMPLES: &str = "Examples:
   sbgc sim --pty --link /tmp/gimbal
-  sbgc sim --tcp 127.0.0.1:4001";
+  sbgc sim --tcp 127.0.0.1:4001 --fault drop=0.01 --fault unplug=5s/2s
+  sbgc sim --pty --state gimbal.state --firmware 2.68
+
+Faults: corrupt, drop and duplicate take a probability, delay a time, for frames
+to the host; with :in (drop:in=0.01) for frames to the board. reset=5s,
+unplug=5s/2s and stall=5s/1s count from the start. no-confirm, low-battery and
+sensor take no value.";
 
 /// Serve a simulated board
 ///
@@ -39,6 +46,50 @@ pub(crate) struct Sim {
     /// Serve on this address, e.g. 127.0.0.1:4001; port 0 picks a free port
     #[arg(long, value_name = "HOST:PORT", value_parser = host_and_port)]
     tcp: Option<String>,
+
+    /// Give all TCP clients the same board instead of one each [implied by --state]
+    #[arg(long, requires = "tcp")]
+    shared: bool,
+
+    /// Bit rate of the board's line, or `any`; a client with another rate gets garbage
+    #[arg(long = "line", value_name = "RATE", default_value = "115200", value_parser = line)]
+    rate: Rate,
+
+    /// Keep parameters, files and calibrations in this file
+    #[arg(long, value_name = "FILE")]
+    state: Option<PathBuf>,
+
+    /// Behave as this firmware
+    #[arg(long, value_enum, default_value = "2.73")]
+    firmware: Firmware,
+
+    /// Seed of sensor noise and random faults
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    seed: u64,
+
+    /// Let something go wrong; repeat for several
+    #[arg(long = "fault", value_name = "KIND[=VALUE]")]
+    faults: Vec<Fault>,
+}
+
+/// What the board behaves as.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Firmware {
+    #[value(name = "2.68")]
+    V2_68,
+    #[value(name = "2.73")]
+    V2_73,
+}
+
+/// The bit rate of the line; `None` for any.
+type Rate = Option<u32>;
+
+fn line(text: &str) -> Result<Rate, String> {
+    if text == "any" {
+        return Ok(None);
+    }
+    let rate = text.parse().ok().filter(|rate| (300..=4_000_000).contains(rate));
+    rate.map(Some).ok_or_else(|| String::from("expected a bit rate of 300 to 4000000, or `any`"))
 }
 
 pub(super) fn host_and_port(text: &str) -> Result<String, String> {
@@ -52,7 +103,6 @@ pub(super) fn host_and_port(text: &str) -> Result<String, String> {
 
 impl Sim {
     pub(crate) async fn run(self, output: &mut Output) -> Result<(), Failure> {
-        let board = Board::new(Config::default());
         let place = match (&self.tcp, &self.link) {
             (Some(address), _) => format!("tcp://{address}"),
             (None, Some(link)) => link.display().to_string(),
@@ -61,12 +111,17 @@ impl Sim {
         let failed = |source| Failure::File { place: place.clone(), source };
         let serving: Serving = match &self.tcp {
             Some(address) => {
+                // The state is looked at first: what cannot be used is not served.
+                let one = if self.shared || self.state.is_some() { Some(self.board()?) } else { None };
                 let listener = TcpListener::bind(address).await.map_err(failed)?;
                 let bound = listener.local_addr().map_err(failed)?;
                 announce(output, &format!("tcp://{bound}"))?;
-                Box::pin(sim::serve_tcp(board, listener))
+                match one {
+                    Some(board) => Box::pin(sim::serve_shared_tcp(board, listener)),
+                    None => Box::pin(sim::serve_tcp(self.config(), listener)),
+                }
             }
-            None => self.on_terminal(board, output, failed)?,
+            None => self.on_terminal(output, failed)?,
         };
         tokio::select! {
             served = serving => served.map_err(failed)?,
@@ -76,25 +131,43 @@ impl Sim {
         Ok(())
     }
 
+    fn config(&self) -> Config {
+        let default = Config::default();
+        Config {
+            firmware: match self.firmware {
+                Firmware::V2_68 => FirmwareVersion::new(2, 68, 9),
+                Firmware::V2_73 => default.firmware,
+            },
+            bit_rate: self.rate,
+            seed: self.seed,
+            faults: self.faults.clone(),
+            ..default
+        }
+    }
+
+    /// The board, with its state if it has one.
+    fn board(&self) -> Result<SharedBoard, Failure> {
+        let Some(path) = &self.state else { return Ok(SharedBoard::new(Board::new(self.config()))) };
+        let failed = |source| Failure::File { place: path.display().to_string(), source };
+        let (state, board) = StateFile::open(path, &self.config()).map_err(failed)?;
+        Ok(SharedBoard::with_state(board, state))
+    }
+
     #[cfg(unix)]
     fn on_terminal(
         &self,
-        mut board: Board,
         output: &mut Output,
         failed: impl Fn(io::Error) -> Failure,
     ) -> Result<Serving, Failure> {
-        let mut terminal = Pty::open(self.link.as_deref()).map_err(failed)?;
+        let board = self.board()?;
+        let line = self.rate.map_or(LineRate::Any, LineRate::Only);
+        let mut terminal = Pty::open(self.link.as_deref(), line).map_err(failed)?;
         announce(output, &terminal.link().unwrap_or(terminal.path()).display().to_string())?;
-        Ok(Box::pin(async move { terminal.serve(&mut board).await }))
+        Ok(Box::pin(async move { terminal.serve(&board).await }))
     }
 
     #[cfg(not(unix))]
-    fn on_terminal(
-        &self,
-        _: Board,
-        _: &mut Output,
-        _: impl Fn(io::Error) -> Failure,
-    ) -> Result<Serving, Failure> {
+    fn on_terminal(&self, _: &mut Output, _: impl Fn(io::Error) -> Failure) -> Result<Serving, Failure> {
         Err(Failure::Usage(String::from("there are no pseudo-terminals on this system; use --tcp")))
     }
 }

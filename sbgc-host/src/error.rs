@@ -164,6 +164,12 @@ pub enum Error {
         /// The note.
         note: String,
     },
+    /// A calibration needs the motors to be on or off, and they are not.
+    #[error("the motors have to be {} for this; run `motors {}` first", OnOff(*.on), OnOff(*.on))]
+    MotorsMustBe {
+        /// Whether they have to be on.
+        on: bool,
+    },
     /// There is no script in the slot.
     #[error("script slot {slot} is empty; upload a script first")]
     EmptySlot {
@@ -280,6 +286,7 @@ impl Error {
 struct Rounded(Duration);
 struct TriedHint<'a>(&'a [(u32, bool)], Option<u8>, Duration);
 struct Hex<'a>(&'a [u8]);
+struct OnOff(bool);
 struct NameOf(Option<&'static str>);
 struct DataOf<'a>(&'a Bytes);
 struct PortList<'a>(&'a [String]);
@@ -321,6 +328,12 @@ impl std::fmt::Display for TriedHint<'_> {
 impl std::fmt::Display for Hex<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         self.0.iter().try_for_each(|byte| write!(f, " {byte:02x}"))
+    }
+}
+
+impl std::fmt::Display for OnOff {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(if self.0 { "on" } else { "off" })
     }
 }
 

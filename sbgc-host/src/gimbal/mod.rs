@@ -270,10 +270,17 @@ impl Gimbal {
     /// # Errors
     /// If the message cannot be encoded, or the link has ended.
     pub fn send_now<M: Message + ToWire>(&self, command: &M) -> Result<()> {
-        let payload = encode(command)?;
-        self.check(M::ID, &payload)?;
-        let sent = self.link().call(|machine, now| machine.send_now(now, M::ID.raw(), payload));
-        sent.map_err(|failure| explain(M::ID, failure))
+        self.send_now_raw(M::ID, encode(command)?)
+    }
+
+    /// Like [`send_now`](Self::send_now), for payload bytes.
+    ///
+    /// # Errors
+    /// If the payload is too long, or the link has ended.
+    pub fn send_now_raw(&self, command: CommandId, payload: Bytes) -> Result<()> {
+        self.check(command, &payload)?;
+        let sent = self.link().call(|machine, now| machine.send_now(now, command.raw(), payload));
+        sent.map_err(|failure| explain(command, failure))
     }
 
     /// Sends a command that says where to go or how fast, and returns at once.

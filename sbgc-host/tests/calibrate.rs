@@ -8,7 +8,7 @@ use sbgc_host::proto::CommandId;
 use sbgc_host::proto::commands::{
     Axis, CalibAction, CalibImu, CalibMode, CoggingAxes, MotorsOffMode, RealtimeData4Request, RtDataFlags,
 };
-use sbgc_host::proto::units::Angle;
+use sbgc_host::proto::units::{Angle, ControlRate};
 use sbgc_host::proto::wire::PerAxis;
 use sbgc_host::sim::{self, Config};
 use sbgc_host::{ControlSession, Error, Gimbal, Options, SessionOptions};
@@ -82,7 +82,7 @@ async fn each_kind_ends() {
 async fn results_are_on_the_board() {
     let gimbal = gimbal();
     let target = PerAxis { yaw: Some(Angle::from_degrees(20.0)), ..PerAxis::default() };
-    gimbal.move_to(target, Default::default(), Duration::from_secs(20)).await.unwrap();
+    gimbal.move_to(target, ControlRate::default(), Duration::from_secs(20)).await.unwrap();
     calibrate(&gimbal, Calibration::FollowOffset).await;
     assert_eq!(gimbal.params3(255.into()).await.unwrap().follow_offset.yaw, 20);
     calibrate(&gimbal, Calibration::Poles).await;

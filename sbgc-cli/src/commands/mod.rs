@@ -42,6 +42,7 @@
 //!   in [`signals::blocking`](crate::signals::blocking).
 
 mod around;
+mod calibration;
 mod device;
 mod find;
 mod look;
@@ -67,6 +68,8 @@ pub(crate) enum Command {
     #[command(flatten)]
     Motion(motion::Command),
     #[command(flatten)]
+    Calibration(calibration::Command),
+    #[command(flatten)]
     Storage(storage::Command),
     #[command(flatten)]
     Device(device::Command),
@@ -84,6 +87,7 @@ impl Command {
             Command::Look(command) => command.run(global, output).await,
             Command::Parameters(command) => command.run(global, output).await,
             Command::Motion(command) => command.run(global, output).await,
+            Command::Calibration(command) => command.run(global, output).await,
             Command::Storage(command) => command.run(global, output).await,
             Command::Device(command) => command.run(global, output).await,
             Command::Traffic(command) => command.run(global, output).await,
@@ -93,13 +97,14 @@ impl Command {
 }
 
 /// The groups as help lists them: a word for each, and its commands.
-pub(crate) fn groups() -> [(&'static str, clap::Command); 8] {
+pub(crate) fn groups() -> [(&'static str, clap::Command); 9] {
     let empty = || clap::Command::new("sbgc");
     [
         ("Find", find::Command::augment_subcommands(empty())),
         ("Look", look::Command::augment_subcommands(empty())),
         ("Parameters", parameters::Command::augment_subcommands(empty())),
         ("Motion", motion::Command::augment_subcommands(empty())),
+        ("Calibrate", calibration::Command::augment_subcommands(empty())),
         ("Storage", storage::Command::augment_subcommands(empty())),
         ("Device", device::Command::augment_subcommands(empty())),
         ("Traffic", traffic::Command::augment_subcommands(empty())),

@@ -203,11 +203,11 @@ impl Calibration {
             }
             Self::MotorMagneticLink => Ok((CommandId::CalibMotorMagLink, Bytes::new())),
             Self::Cogging(axes) => {
-                let axis = CoggingAxis { angle: 360, smooth: 50, speed: 50, ..CoggingAxis::default() };
+                let settings = CoggingAxis { angle: 360, smooth: 50, speed: 50, ..CoggingAxis::default() };
                 frame(&CalibCogging {
                     action: CoggingAction::Calibrate,
                     axis_to_calibrate: axes,
-                    axes: [axis; 3].into(),
+                    axes: [settings; 3].into(),
                     iterations_num: 2,
                     ..CalibCogging::default()
                 })

@@ -258,7 +258,7 @@ impl CalibrationRun {
                         self.samples.saturating_add(u32::try_from(data.samples.len()).unwrap_or_default());
                 }
                 if let Calibration::Bode(test) = self.calibration {
-                    self.progress = part(f64::from(self.samples), f64::from(test.samples.max(1)));
+                    self.progress = Some(part(f64::from(self.samples), f64::from(test.samples.max(1))));
                 }
                 None
             }
@@ -324,10 +324,7 @@ impl CalibrationRun {
 
     /// It seems to have ended: whether well, the errors of the board say.
     async fn settle(&mut self) -> Option<Step> {
-        let state = match self.state().await {
-            Ok(state) => state,
-            Err(_) => return Some(self.done("done")),
-        };
+        let Ok(state) = self.state().await else { return Some(self.done("done")) };
         let relevant = SystemErrors::CALIB_POLES | SystemErrors::EMERGENCY_STOP | SystemErrors::NO_SENSOR;
         let new = state.realtime_data_3.system_error & relevant & !self.errors_before;
         if self.facts.moves && !new.is_empty() {
@@ -403,7 +400,7 @@ impl CalibrationRun {
     async fn sensor(&mut self, imu_type: ImuType) -> Result<String> {
         let info: CalibInfo =
             self.gimbal.request(&CalibInfoRequest { imu_type, ..CalibInfoRequest::default() }).await?;
-        self.progress = part(info.progress.into(), 100.0);
+        self.progress = Some(part(info.progress.into(), 100.0));
         Ok(match self.calibration {
             Calibration::Accelerometer(..) => {
                 let done = info.acc_limits_info.bits().count_ones();
@@ -443,6 +440,6 @@ fn sub_error(error: SystemSubError) -> String {
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "a part of a whole")]
-fn part(done: f64, all: f64) -> Option<f32> {
-    Some((done / all).clamp(0.0, 1.0) as f32)
+fn part(done: f64, all: f64) -> f32 {
+    (done / all).clamp(0.0, 1.0) as f32
 }

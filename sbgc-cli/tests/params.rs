@@ -438,3 +438,138 @@ fn a_template_of_the_gui_takes_the_values_of_the_board() {
     assert!(bench.objects(&["params", "diff", out, "--include", "likely"]).is_empty());
     bench.fail(2, &["params", "dump", "--profile-template", EXAMPLE]);
 }
+
+/// A terminal for standard input: what is written to the first is read by the program that has the second.
+fn terminal() -> (serialport::TTYPort, fs::File) {
+    use serialport::SerialPort as _;
+
+    let (master, slave) = serialport::TTYPort::pair().unwrap();
+    let file = fs::OpenOptions::new().read(true).write(true).open(slave.name().unwrap()).unwrap();
+    // The slave stays open until the program has its own.
+    std::mem::forget(slave);
+    (master, file)
+}
+
+/// Runs `params set gyro_trust=77` on a terminal and lets `answer` act once it asks.
+fn asked(bench: &Bench, answer: impl FnOnce(&mut serialport::TTYPort, u32)) -> (Option<i32>, String) {
+    use std::io::Read as _;
+
+    let (mut master, input) = terminal();
+    let mut command = bench.command(&["params", "set", "gyro_trust=77"]);
+    command.stdin(input).stdout(std::process::Stdio::piped()).stderr(std::process::Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let mut error = child.stderr.take().unwrap();
+    let mut talk = Vec::new();
+    let mut byte = [0];
+    while !String::from_utf8_lossy(&talk).ends_with("[y/N] ") {
+        assert_eq!(error.read(&mut byte).unwrap(), 1, "{}", String::from_utf8_lossy(&talk));
+        talk.push(byte[0]);
+    }
+    answer(&mut master, child.id());
+    let code = child.wait().unwrap().code();
+    error.read_to_end(&mut talk).unwrap();
+    (code, String::from_utf8(talk).unwrap())
+}
+
+#[test]
+fn only_yes_is_yes() {
+    use std::io::Write as _;
+
+    let bench = Bench::new();
+    for answer in ["\n", "n\n", "yep\n"] {
+        let (code, talk) = asked(&bench, |terminal, _| terminal.write_all(answer.as_bytes()).unwrap());
+        assert_eq!(code, Some(5), "{answer:?}: {talk}");
+        assert!(
+            talk.contains("gyro_trust: 120 -> 77") && talk.contains("Write 1 value in 1 block?"),
+            "{talk}"
+        );
+    }
+    let (code, talk) = asked(&bench, |_, id| {
+        let sent = Command::new("kill").args(["-s", "INT", &id.to_string()]).status().unwrap();
+        assert!(sent.success());
+    });
+    assert_eq!(code, Some(5), "{talk}");
+    assert_eq!(bench.value("gyro_trust"), 120);
+    assert!(bench.backups().is_empty());
+
+    let (code, talk) = asked(&bench, |terminal, _| terminal.write_all(b"y\n").unwrap());
+    assert_eq!(code, Some(0), "{talk}");
+    assert_eq!((bench.value("gyro_trust"), bench.backups().len()), (77.into(), 1));
+}
+
+/// Passes bytes between one client on TCP and a board on a pseudo-terminal; after so many writes of parameter blocks
+/// the line is dead. Returns the port for the client, and what ends when the board is free again.
+fn failing_line(board: &Board, writes: usize) -> (String, std::thread::JoinHandle<()>) {
+    use std::io::{Read as _, Write as _};
+
+    let listener = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
+    let port = format!("tcp://{}", listener.local_addr().unwrap());
+    let serial = serialport::new(board.port(), 115_200).timeout(std::time::Duration::from_millis(20));
+    let mut to_board = serial.open_native().unwrap();
+    let relay = std::thread::spawn(move || {
+        let (mut client, _) = listener.accept().unwrap();
+        let over = std::sync::Arc::new(std::sync::atomic::AtomicBool::new(false));
+        let ended = std::sync::Arc::clone(&over);
+        let mut from_board = serialport::SerialPort::try_clone(&to_board).unwrap();
+        let mut to_client = client.try_clone().unwrap();
+        let back = std::thread::spawn(move || {
+            let mut buffer = [0; 512];
+            while !ended.load(std::sync::atomic::Ordering::Relaxed) {
+                match from_board.read(&mut buffer) {
+                    Ok(count) if to_client.write_all(&buffer[..count]).is_err() => return,
+                    Ok(_) => {}
+                    Err(error) if error.kind() == std::io::ErrorKind::TimedOut => {}
+                    Err(_) => return,
+                }
+            }
+        });
+        let (mut left, mut buffer) = (writes, [0; 512]);
+        while let Ok(count @ 1..) = client.read(&mut buffer) {
+            // Each batch of the driver begins with a frame; writes fill batches of their own.
+            if [22, 34, 63, 105].contains(&buffer[1]) {
+                if left == 0 {
+                    break;
+                }
+                left -= 1;
+            }
+            to_board.write_all(&buffer[..count]).unwrap();
+        }
+        client.shutdown(std::net::Shutdown::Both).unwrap();
+        over.store(true, std::sync::atomic::Ordering::Relaxed);
+        back.join().unwrap();
+    });
+    (port, relay)
+}
+
+#[test]
+fn an_interrupted_restore_is_completed_by_the_next() {
+    let bench = Bench::new();
+    let path = bench.file("gimbal.toml");
+    let file = path.to_str().unwrap();
+    bench.succeed(&["params", "dump", file]);
+    let mut text = fs::read_to_string(&path).unwrap();
+    for (name, value) in
+        [("gyro_trust", "11"), ("beeper_volume", "12"), ("auto_speed", "13"), ("motor_startup_delay", "14")]
+    {
+        let line = text.lines().find(|line| line.starts_with(&format!("{name} = "))).unwrap().to_owned();
+        text = text.replacen(&line, &format!("{name} = {value}"), 1);
+    }
+    fs::write(&path, text).unwrap();
+    assert_eq!(bench.objects(&["params", "diff", file]).len(), 4);
+
+    let (port, relay) = failing_line(&bench.board, 2);
+    let mut command = sbgc();
+    command.env("XDG_STATE_HOME", bench.home.path());
+    let output = command.args(["--port", &port, "params", "restore", file, "--yes"]).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", stderr(&output));
+    relay.join().unwrap();
+    let talk = stderr(&output);
+    let written = "written: CMD_READ_PARAMS_3 of profile 1, CMD_READ_PARAMS_EXT of profile 1; \
+        not written: CMD_READ_PARAMS_EXT2 of profile 1, CMD_READ_PARAMS_EXT3 of profile 1; run the same command again";
+    assert!(talk.contains(written), "{talk}");
+
+    let left = bench.objects(&["params", "restore", file, "--yes"]);
+    let paths: Vec<_> = left.iter().map(|object| object["path"].as_str().unwrap()).collect();
+    assert_eq!(paths, ["auto_speed", "motor_startup_delay"]);
+    assert!(bench.objects(&["params", "diff", file]).is_empty());
+}

@@ -3,6 +3,8 @@
 
 mod support;
 
+use std::collections::BTreeMap;
+
 use sbgc_host::params::{Block, Catalog, NameError, Parameters, Plan, Profile, Value};
 use sbgc_host::proto::CommandId;
 use sbgc_host::proto::commands::BoardInfo;
@@ -111,7 +113,7 @@ fn values_have_units_ranges_and_names() {
         32
     );
     let error = |name: &str, text: &str| set(name, text).unwrap_err().to_string();
-    assert_eq!(error("servo_rate", "1000"), "out of range, which is 50 to 400 Hz");
+    assert_eq!(error("servo_rate", "1000"), "out of range; expected 50 to 400 Hz");
     assert!(
         error("servo_rate", "50deg").contains("expected a value in Hz"),
         "{}",
@@ -244,4 +246,68 @@ async fn stubborn(mut board: support::Board) {
             _ => board.send(CommandId::Error.raw(), &[frame.id, UNKNOWN_COMMAND]).await,
         }
     }
+}
+
+/// Blocks of a board that takes so many writes and is gone then.
+async fn fragile(
+    mut board: support::Board,
+    mut blocks: BTreeMap<u8, Vec<u8>>,
+    writes: usize,
+) -> BTreeMap<u8, Vec<u8>> {
+    let mut left = writes;
+    while let Some(frame) = board.try_next().await {
+        let id = CommandId::from_raw(frame.id);
+        let written = Block::OF_PROFILE.into_iter().find(|block| block.write_id() == id);
+        match (written, blocks.get(&frame.id)) {
+            (Some(_), _) if left == 0 => break,
+            (Some(block), _) => {
+                left -= 1;
+                blocks.insert(block.read_id().raw(), frame.payload.clone());
+                board.confirm(frame.id).await;
+            }
+            (None, Some(payload)) => board.send(frame.id, payload).await,
+            (None, None) => board.confirm(frame.id).await,
+        }
+    }
+    blocks
+}
+
+#[tokio::test(start_paused = true)]
+async fn an_interrupted_write_says_what_was_written_and_the_next_completes_it() {
+    let info = BoardInfo { firmware_ver: FirmwareVersion::new(2, 73, 5), ..BoardInfo::default() };
+    let mut held: BTreeMap<u8, Vec<u8>> =
+        Block::OF_PROFILE.into_iter().map(|block| (block.read_id().raw(), vec![0; block.size()])).collect();
+    let mut plan_sizes = Vec::new();
+    // The first run takes one write, the second all that are left.
+    for writes in [1, 9] {
+        let (gimbal, far) = support::gimbal();
+        let board = tokio::spawn(fragile(far, held, writes));
+        let parameters = Parameters::new(gimbal.clone(), info.clone());
+        let before = parameters.read(profile(1)).await.unwrap();
+        let mut after = before.clone();
+        for (name, value) in
+            [("gyro_trust", "9"), ("beeper_volume", "9"), ("auto_speed", "9"), ("motor_startup_delay", "9")]
+        {
+            let parameter = parameters.catalog().one(name).unwrap().clone();
+            after.set(&parameter, &parameter.parse(value).unwrap());
+        }
+        let mut plan = parameters.plan();
+        plan.change(Some(profile(1)), &before, &after);
+        plan_sizes.push(plan.steps().len());
+        let outcome = parameters.write(&plan, |_| {}).await;
+        if writes == 1 {
+            let text = outcome.unwrap_err().to_string();
+            for part in [
+                "written: CMD_READ_PARAMS_3 of profile 1; not written: CMD_READ_PARAMS_EXT of profile 1, ",
+                "run the same command again to complete it",
+            ] {
+                assert!(text.contains(part), "{part:?} is not in {text:?}");
+            }
+        } else {
+            outcome.unwrap();
+        }
+        drop((gimbal, parameters));
+        held = board.await.unwrap();
+    }
+    assert_eq!(plan_sizes, [4, 3]);
 }

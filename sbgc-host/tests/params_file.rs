@@ -115,7 +115,7 @@ fn what_is_wrong_is_said_with_its_line() {
             "[profile.1]\n\nservo_rat = 50",
             "line 3: no parameter is called \"servo_rat\"; similar names: servo_rate",
         ),
-        ("[profile.1]\nservo_rate = 5000", "line 2: servo_rate = 5000: out of range, which is 50 to 400 Hz"),
+        ("[profile.1]\nservo_rate = 5000", "line 2: servo_rate = 5000: out of range; expected 50 to 400 Hz"),
         ("[profile.1]\nservo_rate = \"50 deg\"", "line 2: servo_rate = \"50 deg\": expected a value in Hz"),
         ("[profile.1]\nservo_rate = nan", "line 2: servo_rate = nan: out of range"),
         ("[profile.1]\nfollow_mode = \"BACK\"", "line 2: follow_mode = \"BACK\": "),

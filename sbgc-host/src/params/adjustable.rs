@@ -69,7 +69,7 @@ pub enum VariableError {
         source: UnitError,
     },
     /// It is outside of the range.
-    #[error("{name} = {text}: out of range, which is {least} to {most}{}{unit}", if unit.is_empty() { "" } else { " " })]
+    #[error("{name} = {text}: out of range; expected {least} to {most}{}{unit}", if unit.is_empty() { "" } else { " " })]
     OutOfRange {
         /// The variable.
         name: String,

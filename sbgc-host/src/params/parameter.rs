@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use sbgc_proto::frame::MAX_PAYLOAD;
 use sbgc_proto::reflect::{AssignError, FieldInfo, Input, Meaning, Number, Raw, Scalar};
-use sbgc_proto::{DecodeError, EncodeError, IncomingCommand};
+use sbgc_proto::{DecodeError, EncodeError, IncomingCommand, OutOfRange};
 
 use super::block::Block;
 use super::quantity::{self, Amount, UnitError};
@@ -213,6 +213,13 @@ impl Parameter {
         // The message may not outlive the input.
         message = match message.set(&self.path, input) {
             Ok(()) => message,
+            // What the bytes cannot hold is beyond the documented range all the more.
+            Err(AssignError::OutOfRange(wider)) => {
+                let (minimum, maximum) = self.range().unwrap_or((wider.minimum, wider.maximum));
+                return Err(
+                    AssignError::OutOfRange(OutOfRange { minimum, maximum, unit: self.unit() }).into()
+                );
+            }
             Err(error) => return Err(error.into()),
         };
         let mut buffer = [0; MAX_PAYLOAD];

@@ -45,7 +45,7 @@ impl ParameterFile {
     /// let file = ParameterFile::parse("firmware = \"2.73.5\"\n[profile.2]\nservo_rate = 50\n")?;
     /// assert_eq!(file.profiles().count(), 1);
     /// let error = ParameterFile::parse("[profile.2]\nservo_rate = 5000\n").unwrap_err();
-    /// assert_eq!(error.to_string(), "line 2: servo_rate = 5000: out of range, which is 50 to 400 Hz");
+    /// assert_eq!(error.to_string(), "line 2: servo_rate = 5000: out of range; expected 50 to 400 Hz");
     /// # Ok::<(), sbgc_host::params::FileError>(())
     /// ```
     ///

@@ -5,7 +5,9 @@ mod support;
 
 use std::collections::BTreeMap;
 
-use sbgc_host::params::{Block, Catalog, NameError, Parameters, Plan, Profile, Value};
+use sbgc_host::params::{
+    Block, Catalog, NameError, Parameters, Plan, Profile, Setting, Value, VariableCommand, variables_called,
+};
 use sbgc_host::proto::CommandId;
 use sbgc_host::proto::commands::BoardInfo;
 use sbgc_host::proto::frame::Version;
@@ -310,4 +312,39 @@ async fn an_interrupted_write_says_what_was_written_and_the_next_completes_it() 
         held = board.await.unwrap();
     }
     assert_eq!(plan_sizes, [4, 3]);
+}
+
+#[tokio::test(start_paused = true)]
+async fn variables_are_read_and_set_in_both_forms() {
+    for (firmware, floats) in
+        [(FirmwareVersion::new(2, 68, 0), false), (FirmwareVersion::new(2, 73, 5), true)]
+    {
+        let parameters = board(Config { firmware, ..Config::default() }).await;
+        let all = parameters.variables().await.unwrap();
+        assert!(all.len() >= 50, "{firmware}: {}", all.len());
+        let called = |name: &str| variables_called(&all, name).unwrap().first().copied().cloned().unwrap();
+        let heading = called("frame-heading.angle");
+        assert_eq!((heading.unit, heading.range), ("deg", Some((-180.0, 180.0))));
+        assert_eq!(called("37"), heading);
+        let error = heading.parse("200 deg").unwrap_err().to_string();
+        assert_eq!(error, "FRAME_HEADING_ANGLE = 200 deg: out of range; expected -180 to 180 deg");
+        assert!(heading.parse("3 V").unwrap_err().to_string().contains("expected a value in deg"));
+        assert!(heading.parse("north").unwrap_err().to_string().contains("expected a number"));
+        assert!(variables_called(&all, "P_ROL").unwrap_err().to_string().contains("P_ROLL"));
+
+        let settings = [heading.parse("-12.5deg").unwrap(), called("P_ROLL").parse("33").unwrap()];
+        parameters.set_variables(&settings).await.unwrap();
+        let ids = settings.map(|setting| setting.id);
+        let values: Vec<f64> =
+            parameters.variable_values(&ids).await.unwrap().iter().map(|held| held.value).collect();
+        assert_eq!(values, [-12.5, 33.0]);
+
+        // A raw number with a fraction needs the form with floats.
+        let fraction = [Setting { id: ids[1], raw: 33.5 }];
+        let commands = parameters.variable_commands(&fraction).unwrap();
+        assert_eq!(matches!(commands.as_slice(), [VariableCommand::Floats(_)]), floats, "{firmware}");
+        parameters.save_variables(&[]).await.unwrap();
+        // Firmware 2.68 before beta 9 saves all or nothing.
+        assert_eq!(parameters.save_variables(&ids).await.is_ok(), floats, "{firmware}");
+    }
 }

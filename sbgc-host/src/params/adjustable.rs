@@ -164,7 +164,29 @@ impl Parameters {
         let firmware = self.info().firmware_ver;
         let known = AdjustableVariable::ALL.iter().filter(|facts| is_in(facts.since, firmware));
         let ids: Vec<_> = known.map(|facts| facts.variable).collect();
-        self.variable_values(&ids).await
+        let mut variables = Vec::new();
+        for ids in ids.chunks(AT_ONCE) {
+            match self.variable_values(ids).await {
+                // Not of all variables it is published since when they are: one that is missing refuses all.
+                Err(ParamsError::Host(Error::Refused { .. })) => {
+                    variables.extend(self.those_there(ids).await?)
+                }
+                values => variables.extend(values?),
+            }
+        }
+        Ok(variables)
+    }
+
+    /// Those of some variables that the board does not refuse.
+    async fn those_there(&self, ids: &[AdjustableVariable]) -> Result<Vec<Variable>> {
+        let mut variables = Vec::new();
+        for id in ids {
+            match self.variable_values(std::slice::from_ref(id)).await {
+                Err(ParamsError::Host(Error::Refused { .. })) => {}
+                values => variables.extend(values?),
+            }
+        }
+        Ok(variables)
     }
 
     /// The variables as the board lists them; none where it refuses to.

@@ -274,7 +274,11 @@ impl Parameters {
     /// # Errors
     /// If the board refuses, does not answer, or keeps its profile.
     pub async fn activate(&self, profile: Profile) -> Result<()> {
-        self.gimbal.confirm(&activation(profile)).await?;
+        match self.gimbal.confirm(&activation(profile)).await {
+            // It may have come all the same.
+            Ok(_) | Err(Error::Timeout { .. }) => {}
+            Err(error) => return Err(error.into()),
+        }
         let (times, pause) = SWITCHING;
         for _ in 0..times {
             if self.active().await? == profile {

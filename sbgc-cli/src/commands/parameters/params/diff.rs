@@ -20,7 +20,7 @@ use crate::output::Output;
 #[command(after_help = "Examples:
   sbgc params diff gimbal.toml
   sbgc params diff profile:1 profile:2 --json
-  sbgc params diff old.toml new.toml --exit-code")]
+  sbgc params diff board profile:3")]
 pub(super) struct Diff {
     /// One side
     #[arg(value_parser = source::source)]

@@ -23,7 +23,7 @@ use crate::talk;
 #[command(after_help = "Examples:
   sbgc params dump
   sbgc params dump gimbal.toml --profile all
-  sbgc params dump --profile 2 | grep follow
+  sbgc params dump --profile 2
 
 `--profile-template saved.profile out.profile` writes a file for the vendor's GUI.")]
 pub(super) struct Dump {

@@ -25,7 +25,7 @@ use crate::talk;
 #[command(after_help = "Examples:
   sbgc params restore gimbal.toml
   sbgc params restore gimbal.toml --dry-run
-  sbgc params restore gui.profile --profile 3 --include likely --yes")]
+  sbgc params restore gimbal.toml --profile 3 --yes")]
 pub(super) struct Restore {
     /// File of `params dump`, or of the GUI
     file: PathBuf,

@@ -193,7 +193,8 @@ pub(super) fn poll(machine: &mut Machine, now: Duration, replies: &mut Vec<(u8, 
             }
         }
         Kind::Bode { samples, gain, .. } => {
-            while procedure.next_progress <= now && procedure.steps * SAMPLES < samples {
+            let over = procedure.ends <= now;
+            while (over || procedure.next_progress <= now) && procedure.steps * SAMPLES < samples {
                 let count = SAMPLES.min(samples - procedure.steps * SAMPLES);
                 let packet = Packet::of(&bode_data(procedure.steps, count, gain));
                 replies.extend(packet.ok().map(|packet| (port, Reply::Send(packet))));

@@ -176,12 +176,12 @@ impl Axis {
     fn outer_loop(&mut self, speed: f64, angle: f64, seconds: f64) -> f64 {
         let error = angle - self.setpoint;
         let most = (speed.abs() * 1.25).max(5.0);
-        if error.abs() < 2.0 {
+        let wanted = speed + OUTER_P * error + self.correction;
+        // On the way there it sums up nothing: that would carry it beyond the angle.
+        if wanted.abs() < most {
             self.correction = (self.correction + OUTER_I * error * seconds).clamp(-most, most);
-        } else {
-            self.correction = 0.0;
         }
-        let wanted = (speed + OUTER_P * error + self.correction).clamp(-most, most);
+        let wanted = wanted.clamp(-most, most);
         // It has come to rest at the angle.
         if error.abs() < 1e-3 && wanted.abs() < 1e-2 { 0.0 } else { wanted }
     }

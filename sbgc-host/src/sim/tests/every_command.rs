@@ -2,19 +2,23 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write;
+use std::sync::OnceLock;
 
 use sbgc_proto::reflect::MessageInfo;
 use sbgc_proto::units::FirmwareVersion;
 use sbgc_proto::{CommandId, OutgoingCommand};
 
 use super::{Bench, Got, ms};
-use crate::sim::Config;
+use crate::sim::{Board, Config};
 
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/sim/table.md");
 
 /// What the board says to a payload, in short.
 fn answer(config: &Config, id: u8, payload: &[u8]) -> String {
-    let mut bench = Bench::new(config.clone());
+    // Laying out an EEPROM for each of them would take most of the time.
+    static IMAGE: OnceLock<Vec<u8>> = OnceLock::new();
+    let image = IMAGE.get_or_init(|| Board::new(Config::default()).eeprom().to_vec());
+    let mut bench = Bench::of(Board::with_eeprom(config.clone(), image.clone()).unwrap());
     bench.send_raw(id, payload);
     let got = bench.run(ms(16));
     let mut words = Vec::new();

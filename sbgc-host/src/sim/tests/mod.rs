@@ -2,9 +2,14 @@
 
 mod control;
 mod every_command;
+mod faults;
 mod line;
 mod memory;
+mod moves;
+mod parameters;
+mod procedures;
 mod serving;
+mod storage;
 mod streams;
 mod variables;
 
@@ -45,8 +50,11 @@ pub(super) struct Bench {
 
 impl Bench {
     pub(super) fn new(config: Config) -> Self {
-        let decoder = Decoder::new(Versions::Both);
-        Self { board: Board::new(config), now: ms(1), version: Version::V1, decoder }
+        Self::of(Board::new(config))
+    }
+
+    pub(super) fn of(board: Board) -> Self {
+        Self { board, now: ms(1), version: Version::V1, decoder: Decoder::new(Versions::Both) }
     }
 
     pub(super) fn send_raw(&mut self, id: u8, payload: &[u8]) {

@@ -46,7 +46,7 @@ fn decode<M: Message + for<'a> FromWire<'a>>(criterion: &mut Criterion) {
                 let mut input = &stream[..];
                 while let Some(event) = decoder.next(&mut input) {
                     if let Event::Frame { frame, .. } = event {
-                        black_box(IncomingCommand::of_frame(&frame)).expect("it is whole");
+                        black_box(IncomingCommand::from_frame(&frame)).expect("it is whole");
                     }
                 }
             });

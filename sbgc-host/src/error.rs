@@ -275,7 +275,7 @@ impl Error {
         let Error::Refused { command, code, .. } = self else { return None };
         let named = |id: &CommandId| id.spec_name(Direction::Outgoing) == Some(command);
         let id = (1..=u8::MAX).map(CommandId::from_raw).find(named)?;
-        match FailureCode::of(id, *code) {
+        match FailureCode::from_raw(id, *code) {
             FailureCode::Files(code) => Some(code),
             _ => None,
         }

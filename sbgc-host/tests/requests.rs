@@ -336,7 +336,7 @@ async fn closing_sends_what_is_left_and_gives_the_port_back() {
     });
     board.expect(BOARD_INFO).await;
     for _ in 0..20 {
-        gimbal.send(&MotorsOn {}).await.unwrap();
+        gimbal.send(&MotorsOn).await.unwrap();
     }
     gimbal.close().await;
     for _ in 0..20 {
@@ -351,7 +351,7 @@ async fn closing_sends_what_is_left_and_gives_the_port_back() {
 #[tokio::test(start_paused = true)]
 async fn dropping_the_last_handle_ends_the_task() {
     let (gimbal, mut board) = gimbal();
-    gimbal.send(&MotorsOn {}).await.unwrap();
+    gimbal.send(&MotorsOn).await.unwrap();
     let other = gimbal.clone();
     drop(gimbal);
     board.expect(MOTORS_ON).await;
@@ -364,8 +364,8 @@ async fn dropping_the_last_handle_ends_the_task() {
 async fn a_board_that_reads_nothing_cannot_hold_up_the_end() {
     let (gimbal, board) = gimbal_with(8, Options::default());
     let start = Instant::now();
-    gimbal.send(&MotorsOn {}).await.unwrap();
-    gimbal.send(&MotorsOn {}).await.unwrap();
+    gimbal.send(&MotorsOn).await.unwrap();
+    gimbal.send(&MotorsOn).await.unwrap();
     gimbal.close().await;
     assert!(since(start) <= 2000);
     drop(board);
@@ -377,9 +377,9 @@ async fn requests_of_all_kinds_are_send() {
         value
     }
     let (gimbal, _board) = gimbal();
-    drop(is_send(gimbal.request(&BoardInfoRequest {})));
+    drop(is_send(gimbal.request(&BoardInfoRequest)));
     drop(is_send(gimbal.exchange(&EepromReadRequest::default())));
-    drop(is_send(gimbal.confirm(&MotorsOn {})));
+    drop(is_send(gimbal.confirm(&MotorsOn)));
     drop(is_send(gimbal.close()));
     assert_eq!(MotorsOn::ID.raw(), MOTORS_ON);
 }

@@ -50,23 +50,23 @@ macro_rules! declare_direction {
                 #[doc = concat!("[`", stringify!($ty), "`](crate::commands::", stringify!($ty), ").")]
                 $ty($ty $(<$lifetime>)?),
             )*)*
-            /// An id that the protocol does not have in this direction.
+            /// A command unknown in this direction.
             Unknown {
-                /// The id.
+                /// Command id.
                 id: CommandId,
-                /// The payload as it came.
+                /// Payload as received.
                 payload: &'a [u8],
             },
         }
 
         impl<'a> $enum<'a> {
-            /// Which way all of these go.
+            /// Direction of all of these.
             pub const DIRECTION: Direction = Direction::$direction;
 
-            /// Reads the payload of command `id`, and returns what newer firmware has added after the known part.
+            /// Decodes the payload of command `id` and returns the bytes that newer firmware has added at the end.
             ///
             /// # Errors
-            /// When the payload is too short, or none of the forms of the command has its length.
+            /// If the payload is too short, or none of the forms of the command has its length.
             pub fn decode(id: CommandId, payload: &'a [u8]) -> Result<(Self, &'a [u8]), DecodeError> {
                 let command: Option<&&str> = match id.raw() {
                     $($id => {
@@ -86,15 +86,15 @@ macro_rules! declare_direction {
                 }
             }
 
-            /// Reads the payload of a frame.
+            /// Decodes the payload of a frame.
             ///
             /// # Errors
-            /// When the payload is too short, or none of the forms of the command has its length.
-            pub fn of_frame(frame: &Frame<'a>) -> Result<(Self, &'a [u8]), DecodeError> {
+            /// If the payload is too short, or none of the forms of the command has its length.
+            pub fn from_frame(frame: &Frame<'a>) -> Result<(Self, &'a [u8]), DecodeError> {
                 Self::decode(CommandId::from_raw(frame.id), frame.payload)
             }
 
-            /// The command's id.
+            /// Command id.
             pub fn id(&self) -> CommandId {
                 match self {
                     $($(Self::$ty(_) => <$ty as Message>::ID,)*)*
@@ -102,7 +102,7 @@ macro_rules! declare_direction {
                 }
             }
 
-            /// The spec's name of the command, `None` for one that the protocol does not have.
+            /// Spec name of the command; `None` for an unknown one.
             pub fn spec_name(&self) -> Option<&'static str> {
                 match self {
                     $($(Self::$ty(_) => Some(<$ty as Message>::SPEC),)*)*
@@ -110,7 +110,7 @@ macro_rules! declare_direction {
                 }
             }
 
-            /// The name of the message's form; `unknown` for a command that the protocol does not have.
+            /// Name of the form; `unknown` for an unknown command.
             pub fn form(&self) -> &'static str {
                 match self {
                     $($(Self::$ty(_) => <$ty as Message>::FORM,)*)*
@@ -118,10 +118,10 @@ macro_rules! declare_direction {
                 }
             }
 
-            /// Writes the payload to the front of `out` and returns it.
+            /// Encodes the payload at the start of `out` and returns it.
             ///
             /// # Errors
-            /// When it does not fit, or the message contradicts itself.
+            /// If the buffer is too small, the message is inconsistent, or its length is that of another form.
             pub fn encode<'o>(&self, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError> {
                 let mut writer = Writer::new(out);
                 self.write((), &mut writer)?;
@@ -129,10 +129,10 @@ macro_rules! declare_direction {
                 Ok(out.get(..length).unwrap_or_default())
             }
 
-            /// Writes the whole frame to the front of `out` and returns it.
+            /// Encodes the whole frame at the start of `out` and returns it.
             ///
             /// # Errors
-            /// When it does not fit, or the message contradicts itself.
+            /// If the buffer is too small, the message is inconsistent, or its length is that of another form.
             pub fn encode_frame<'o>(&self, version: Version, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError> {
                 frame::encode_with(version, self.id().raw(), out, |payload| {
                     let mut writer = Writer::new(payload);
@@ -175,15 +175,15 @@ macro_rules! declare_direction {
         #[cfg(feature = "reflect")]
         impl<'a> $enum<'a> {
             /// All messages of this direction, in the order in which their forms are tried.
-            pub const ALL: &'static [crate::reflect::MessageInfo] = {
+            pub const ALL: &'static [crate::MessageInfo] = {
                 // A static has one place in memory, a constant would have one at each use.
-                static ALL: &[crate::reflect::MessageInfo] = &[$($(
-                    crate::reflect::MessageInfo::of::<$ty>(stringify!($ty)),
+                static ALL: &[crate::MessageInfo] = &[$($(
+                    crate::MessageInfo::of::<$ty>(stringify!($ty)),
                 )*)*];
                 ALL
             };
 
-            /// A message all of whose fields are zero or absent.
+            /// Returns a message with all fields zero or absent.
             pub fn blank(id: CommandId, form: &str) -> Option<Self> {
                 match id.raw() {
                     $($id => {
@@ -198,7 +198,7 @@ macro_rules! declare_direction {
                 }
             }
 
-            /// Visits the fields in wire order and returns how many bytes they take.
+            /// Visits the fields in wire order and returns their total size in bytes.
             pub fn walk(&self, visitor: &mut dyn crate::reflect::Visitor) -> usize {
                 match self {
                     $($(Self::$ty(message) => crate::reflect::walk(message, visitor),)*)*
@@ -274,7 +274,7 @@ macro_rules! declare_requests {
 macro_rules! declare_messages {
     ($(
         $(#[doc = $doc:tt])+
-        $variant:ident = $id:tt, $spec:tt, outgoing $outgoing:tt, incoming $incoming:tt;
+        $variant:ident = $id:tt $(as $spec:tt)?, outgoing $outgoing:tt, incoming $incoming:tt;
     )*) => {
         declare_direction! {
             /// A message from the host to the controller.

@@ -5,7 +5,7 @@ use sbgc_proto_macros::open_enum;
 use crate::command_table::with_commands;
 use crate::text::equal;
 
-/// Which way a message goes, seen from the host.
+/// Direction of a message, seen from the host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
@@ -29,14 +29,14 @@ impl Direction {
 macro_rules! declare_ids {
     ($(
         $(#[doc = $doc:tt])+
-        $variant:ident = $id:tt, $spec:tt, outgoing $outgoing:tt, incoming $incoming:tt;
+        $variant:ident = $id:tt $(as $spec:tt)?, outgoing $outgoing:tt, incoming $incoming:tt;
     )*) => {
         /// The id of a command. Most mean the same in both directions; 67 does not.
-        #[open_enum(u8)]
+        #[open_enum(u8, prefix = "CMD_")]
         pub enum CommandId {
             $(
                 $(#[doc = $doc])+
-                #[wire(spec = $spec)]
+                $(#[wire(spec = $spec)])?
                 $variant = $id,
             )*
         }
@@ -51,7 +51,7 @@ impl CommandId {
     /// Spec: `CMD_CONFIRM` = 67.
     pub const CONFIRM: CommandId = CommandId::Control;
 
-    /// The spec's name, for example `CMD_BOARD_INFO`; `None` for an id that the spec does not have.
+    /// Spec name, for example `CMD_BOARD_INFO`; `None` for an unknown id.
     pub fn spec_name(self, direction: Direction) -> Option<&'static str> {
         if self == Self::CONFIRM && direction == Direction::Incoming {
             return Some("CMD_CONFIRM");

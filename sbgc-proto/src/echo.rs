@@ -1,23 +1,23 @@
-//! What a request says about its exchange: what answers it, what of it the answer repeats, and what it does.
+//! Facts about requests: what answers them, what the answer repeats, and what they do.
 //!
 //! The facts stand in the declarations of the requests; here is the form in which programs find them.
 
 use crate::CommandId;
 use crate::wire::Slot;
 
-/// What is known of the exchange that a command begins.
+/// Facts about the exchange that a command starts.
 ///
 /// [`Message::REQUEST`](crate::Message::REQUEST) has it for a type, [`RequestInfo::of_payload`] for bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct RequestInfo {
-    /// The command id of the answer; `None` where there is none, or none that is sure to come.
+    /// Command id of the answer; `None` if there is none, or none is certain.
     pub answer: Option<CommandId>,
-    /// Whether the command does more than ask, so that sending it twice may do it twice.
+    /// Whether the command does more than read, so that sending it twice may act twice.
     pub acts: bool,
-    /// Whether the answer may take seconds, because the work comes before it.
+    /// Whether the answer may take seconds, because the work is done before it.
     pub slow: bool,
-    /// What of the request the answer repeats.
+    /// What the answer repeats of the request.
     pub(crate) echo: &'static [Echo],
 }
 
@@ -55,11 +55,11 @@ enum Rule {
     Same,
     /// As it is, in as many bytes as the answer happens to have.
     Number,
-    /// A profile as it is; the number of no profile means the current one, and the answer has that one's.
+    /// A profile as it is; any other number means the current profile, and the answer holds that one's number.
     Profile,
-    /// Flags as they are, if the highest of them asks for that.
+    /// Flags as they are, if the highest of them is set.
     Flags,
-    /// A counted list as it is; between the numbers of the answer stands more.
+    /// A counted list as it is; each number of the answer is followed by more data.
     Each,
     /// Of several bits the number of one.
     OneOf,
@@ -90,7 +90,7 @@ impl Echo {
         Self::new(Rule::Number, request, answer)
     }
 
-    /// The answer has the profile, or the current one if that was asked for.
+    /// The answer has the profile, or the current one if that was requested.
     pub(crate) const fn profile(request: Slot, answer: Slot) -> Self {
         Self::new(Rule::Profile, request, answer)
     }

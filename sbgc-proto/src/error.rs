@@ -9,7 +9,7 @@ use core::fmt;
 pub enum DecodeError {
     /// The payload is shorter than the message.
     TooShort {
-        /// The spec's name of the command.
+        /// Spec name of the command.
         command: &'static str,
         /// Minimum length of the message.
         needed: usize,
@@ -18,7 +18,7 @@ pub enum DecodeError {
     },
     /// The payload ends within a field whose place or length varies.
     Truncated {
-        /// The spec's name of the command.
+        /// Spec name of the command.
         command: &'static str,
         /// The spec's name of the field.
         field: &'static str,
@@ -31,14 +31,14 @@ pub enum DecodeError {
     },
     /// The command has several forms, distinguished by length, and none has this length.
     NoSuchForm {
-        /// The spec's name of the command.
+        /// Spec name of the command.
         command: &'static str,
         /// Length of the payload.
         got: usize,
     },
     /// A value declares an unknown type, so its length is unknown.
     UnknownType {
-        /// The spec's name of the command.
+        /// Spec name of the command.
         command: &'static str,
         /// The spec's name of the field.
         field: &'static str,
@@ -107,7 +107,7 @@ pub enum EncodeError {
     },
     /// The payload would have the length of another form of the command, which means something else.
     OtherForm {
-        /// The spec's name of the command.
+        /// Spec name of the command.
         command: &'static str,
         /// The name of the message's form.
         form: &'static str,

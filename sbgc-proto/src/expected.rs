@@ -1,4 +1,4 @@
-//! What will answer a request.
+//! Matching answers to requests.
 //!
 //! The protocol has no sequence numbers. What tells one answer from another is its command id and, for some, what it
 //! repeats of the request: the confirmed command, the profile, the address.
@@ -12,7 +12,7 @@ use crate::{CommandId, RequestInfo};
 /// The bytes of a request that can come back: a count and forty ids, the longest of all.
 const KEPT: usize = 41;
 
-/// What the answer to a request looks like.
+/// Distinguishes the answer to a request from other messages.
 ///
 /// ```
 /// use sbgc_proto::commands::{ProfileId, ReadParams3};
@@ -37,7 +37,7 @@ pub struct Expected {
 }
 
 impl Expected {
-    /// The answer to a request.
+    /// Returns the expected answer to `request`.
     pub fn of<Q: Request + ToWire>(request: &Q) -> Self {
         let mut payload = [0; MAX_PAYLOAD];
         let request = match Q::REQUEST.echo {
@@ -48,19 +48,19 @@ impl Expected {
         Self::of_info(Q::ID, Q::REQUEST, <Q::Answer<'static> as crate::Message>::ID, request)
     }
 
-    /// The answer to the request with this id and payload; `None` where none is declared, or none that is sure to
-    /// come.
+    /// Returns the expected answer to the request with this id and payload; `None` if none is declared or
+    /// certain.
     pub fn of_payload(command: CommandId, payload: &[u8]) -> Option<Self> {
         let info = RequestInfo::of_payload(command, payload)?;
         Some(Self::of_info(command, info, info.answer?, payload))
     }
 
-    /// Any message with this id.
+    /// Expects any message with this id.
     pub const fn any(answer: CommandId) -> Self {
         Self { answer, confirmed: None, echo: &[], request: [0; KEPT], length: 0 }
     }
 
-    /// The confirmation of a command, whatever data it carries.
+    /// Expects the confirmation of a command, with any data.
     pub const fn confirmation(command: CommandId) -> Self {
         Self { confirmed: Some(command), ..Self::any(CommandId::CONFIRM) }
     }
@@ -77,14 +77,14 @@ impl Expected {
         expected
     }
 
-    /// The command id of the answer.
+    /// Command id of the answer.
     pub const fn answer(&self) -> CommandId {
         self.answer
     }
 
     /// Whether a message is the answer.
     ///
-    /// One that ends before the repeated bytes is taken for it: boards report some errors that way.
+    /// A message that ends before the repeated bytes matches: boards report some errors that way.
     pub fn matches(&self, id: CommandId, payload: &[u8]) -> bool {
         let confirms = || match (self.confirmed, payload.first()) {
             (Some(command), Some(&confirmed)) => command.raw() == confirmed,

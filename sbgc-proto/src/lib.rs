@@ -2,13 +2,17 @@
 //! the protocol typed, in both directions, without std, allocator or unsafe code.
 //!
 //! ```text
-//!  bytes ──► frame ──────► message, command  ──► commands ──► your program
-//!            frames and    a message by its      one struct
-//!            noise         id and length         a payload
-//!                               │                   │ declared with
-//!                            reflect             wire, units
-//!                            fields by name      numbers, lists, angles, volts
+//!  bytes ──► frame ──────► OutgoingCommand, ──► commands ──► your program
+//!            frames and    IncomingCommand      one struct per payload
+//!            noise         by id and length        │ declared with
+//!                                               units, wire
+//!                                               angles, volts, numbers, lists
 //! ```
+//!
+//! Each module uses only those before it: `frame`, `error`, [`wire`] (bytes of one field), [`reflect`] and serde (its
+//! name and text), `declare` (the macros for numbers with a meaning), [`units`], [`command_id`], `echo` (what an answer
+//! repeats), [`message`], [`commands`], and at the top what knows all commands: [`OutgoingCommand`],
+//! [`IncomingCommand`], [`Expected`].
 //!
 //! # Frames
 //! [`frame::Decoder`] finds frames in chunks of any size, borrows their payload from the chunk where it can, and loses
@@ -47,8 +51,8 @@
 //! # Ok::<(), sbgc_proto::EncodeError>(())
 //! ```
 //!
-//! Whoever has to do with all of them matches on [`IncomingCommand`] and [`OutgoingCommand`], which a proxy, a sniffer
-//! or a simulated board needs nothing besides; whoever wants a few matches on the frame's id, and pays for those only.
+//! To handle every message, match on [`IncomingCommand`] or [`OutgoingCommand`]; a proxy, sniffer or simulator needs
+//! nothing else. To handle a few, match on `frame.id`: unused messages then cost nothing.
 //!
 //! ```
 //! use sbgc_proto::{CommandId, IncomingCommand};
@@ -59,24 +63,35 @@
 //! # Ok::<(), sbgc_proto::DecodeError>(())
 //! ```
 //!
-//! # What holds everywhere
+//! # Requests
+//! What answers a request is declared with it: [`Request::Answer`] is its type, [`Request::decode_answer`] decodes it
+//! with what only the request defines, and [`Expected`] distinguishes it from other messages.
+//!
+//! ```
+//! use sbgc_proto::commands::{ProfileId, ReadParams3};
+//! use sbgc_proto::{CommandId, Expected};
+//!
+//! let expected = Expected::of(&ReadParams3 { profile_id: ProfileId::Profile2 });
+//! assert!(!expected.matches(CommandId::ReadParams3, &[0, 10, 20]), "the parameters of another profile");
+//! ```
+//!
+//! # Guarantees
 //! - No input panics, and time is linear in its length.
-//! - Reading a payload and writing it gives the same bytes: reserved bytes, unknown values, undefined flags and NaNs too.
-//!   So parameters that are read, changed and written back disturb nothing that newer firmware keeps beside them.
-//! - A payload that is too short is an error that says both lengths, unless older firmware is known to send less. What
-//!   newer firmware adds at the end is handed out beside the message.
-//! - Angles, rates and voltages are types of [`units`]; their raw numbers stay in reach.
+//! - Decoding a payload and encoding it gives the same bytes, including reserved bytes, unknown values, undefined flags
+//!   and NaN payloads. Parameters that are read, changed and written back keep what newer firmware stores beside them.
+//! - A payload that is too short is an error that states both lengths, unless older firmware is known to send less.
+//!   Trailing bytes added by newer firmware are returned alongside the message.
+//! - Angles, rates and voltages are newtypes in [`units`]; the raw value is field `0`.
 //!
 //! # Features
-//! None is on by default, and none changes what another means.
+//! All features are off by default and additive.
 //!
 //! | feature | what it adds |
 //! | --- | --- |
-//! | `reflect` | [`reflect`]: fields by name, for tools |
-//! | `serde` | serde for all messages: names and physical values where people read, raw numbers elsewhere |
+//! | `reflect` | [`reflect`]: list, read and set message fields by name |
+//! | `serde` | serde for all messages: names and physical values in human-readable formats, raw numbers in binary ones |
 //! | `defmt` | [`defmt::Format`](https://docs.rs/defmt) for all messages |
-//! | `std` | links the standard library |
-#![cfg_attr(not(any(feature = "std", test)), no_std)]
+#![cfg_attr(not(test), no_std)]
 #![cfg_attr(
     not(test),
     deny(
@@ -92,11 +107,14 @@ mod command;
 pub mod command_id;
 mod command_table;
 pub mod commands;
+mod declare;
 mod echo;
 mod error;
 mod expected;
 pub mod frame;
 pub mod message;
+#[cfg(feature = "reflect")]
+mod message_info;
 #[cfg(feature = "reflect")]
 pub mod reflect;
 #[cfg(feature = "serde")]
@@ -111,6 +129,8 @@ pub use echo::RequestInfo;
 pub use error::{DecodeError, EncodeError, OutOfRange, TextTooLong};
 pub use expected::Expected;
 pub use message::{Message, Request};
+#[cfg(feature = "reflect")]
+pub use message_info::MessageInfo;
 
 // Types of it stand in this crate's own signatures.
 pub use heapless;

@@ -1,8 +1,9 @@
-//! Messages as such: what every declared payload can do, and how one is put into a frame.
+//! The [`Message`] trait, implemented by every declared payload, and [`Request`], for those that are answered.
 
 use core::ops::RangeInclusive;
 
 use crate::frame::{self, Version};
+use crate::units::FirmwareVersion;
 use crate::wire::{Fault, FromWire, Layout, ToWire, Writer};
 use crate::{CommandId, DecodeError, Direction, EncodeError, RequestInfo};
 
@@ -22,36 +23,36 @@ use crate::{CommandId, DecodeError, Direction, EncodeError, RequestInfo};
 /// # Ok::<(), sbgc_proto::DecodeError>(())
 /// ```
 pub trait Message: Layout {
-    /// The command's id.
+    /// Command id.
     const ID: CommandId;
-    /// Which way it goes.
+    /// Direction, seen from the host.
     const DIRECTION: Direction;
-    /// The spec's name of the command.
+    /// Spec name of the command.
     const SPEC: &'static str;
-    /// The name of the form; `full` where there is one only.
+    /// Name of the form; `full` if it is the only one.
     const FORM: &'static str;
-    /// Whether it is, of all forms, the one to build unless another is asked for: never one that deletes or
+    /// Whether this is the form to build by default: never one that deletes or
     /// reconfigures by what it leaves out.
     const IS_DEFAULT: bool;
-    /// The first firmware that knows it; empty when that is not known or the first of all.
-    const SINCE: &'static str;
-    /// What it is for, in a sentence.
+    /// The first firmware that knows it; `None` if that is unknown or the first of all.
+    const SINCE: Option<FirmwareVersion>;
+    /// Summary in one sentence.
     const SUMMARY: &'static str;
-    /// How many bytes the payload has.
+    /// Payload length in bytes.
     const SIZE: RangeInclusive<usize>;
-    /// What answers it and what it does; of messages from the board, nothing.
+    /// Facts about the exchange it starts; empty for messages from the board.
     const REQUEST: RequestInfo = RequestInfo::NONE;
 
-    /// Whether a payload of `length` bytes has this form. Where an id has one form only, all have.
+    /// Whether a payload of `length` bytes has this form. Always true for the only form of an id.
     fn accepts(length: usize) -> bool {
         let _ = length;
         true
     }
 
-    /// Reads a payload. Bytes that newer firmware has added at its end are passed over.
+    /// Decodes a payload. Bytes that newer firmware has added at the end are ignored.
     ///
     /// # Errors
-    /// When the payload is too short.
+    /// If the payload is too short.
     fn decode<'a>(payload: &'a [u8]) -> Result<Self, DecodeError>
     where
         Self: FromWire<'a>,
@@ -59,10 +60,10 @@ pub trait Message: Layout {
         Self::decode_prefix(payload).map(|(message, _)| message)
     }
 
-    /// Reads a payload and returns what follows the known part.
+    /// Decodes a payload and returns the bytes after the known part.
     ///
     /// # Errors
-    /// When the payload is too short.
+    /// If the payload is too short.
     fn decode_prefix<'a>(payload: &'a [u8]) -> Result<(Self, &'a [u8]), DecodeError>
     where
         Self: FromWire<'a>,
@@ -70,10 +71,10 @@ pub trait Message: Layout {
         Self::decode_with(payload, ())
     }
 
-    /// Reads a payload with what must be known besides it, and returns what follows the known part.
+    /// Decodes a payload that needs external context and returns the remaining bytes.
     ///
     /// # Errors
-    /// When the payload is too short.
+    /// If the payload is too short.
     fn decode_with<'a, C>(payload: &'a [u8], context: C) -> Result<(Self, &'a [u8]), DecodeError>
     where
         Self: FromWire<'a, C>,
@@ -91,10 +92,10 @@ pub trait Message: Layout {
         }
     }
 
-    /// Writes the payload to the front of `out` and returns it.
+    /// Encodes the payload at the start of `out` and returns it.
     ///
     /// # Errors
-    /// When it does not fit, or the message contradicts itself.
+    /// If the buffer is too small, the message is inconsistent, or its length is that of another form.
     fn encode<'o>(&self, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError>
     where
         Self: ToWire,
@@ -102,10 +103,10 @@ pub trait Message: Layout {
         self.encode_with((), out)
     }
 
-    /// Writes the payload of a message that is read with a context.
+    /// Encodes the payload of a message that needs external context.
     ///
     /// # Errors
-    /// When it does not fit, or the message contradicts itself or the context.
+    /// If the buffer is too small, or the message is inconsistent in itself or with the context.
     fn encode_with<'o, C>(&self, context: C, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError>
     where
         Self: ToWire<C>,
@@ -116,7 +117,7 @@ pub trait Message: Layout {
         Ok(out.get(..length).unwrap_or_default())
     }
 
-    /// Writes the whole frame to the front of `out` and returns it.
+    /// Encodes the whole frame at the start of `out` and returns it.
     ///
     /// ```
     /// use sbgc_proto::commands::ReadParams;
@@ -129,7 +130,7 @@ pub trait Message: Layout {
     /// ```
     ///
     /// # Errors
-    /// When it does not fit, or the message contradicts itself.
+    /// If the buffer is too small, the message is inconsistent, or its length is that of another form.
     fn encode_frame<'o>(&self, version: Version, out: &'o mut [u8]) -> Result<&'o [u8], EncodeError>
     where
         Self: ToWire,
@@ -141,10 +142,28 @@ pub trait Message: Layout {
     }
 }
 
-/// A message that the board answers with another.
+/// A message that the board answers.
 pub trait Request: Message {
-    /// The answer.
-    type Answer<'answer>: Message + FromWire<'answer>;
+    /// Type of the answer.
+    type Answer<'answer>: Message;
+
+    /// Decodes the answer to this request, with what only the request defines, such as the flags that selected its
+    /// fields.
+    ///
+    /// ```
+    /// use sbgc_proto::Request;
+    /// use sbgc_proto::commands::{RealtimeDataCustomFlags, RealtimeDataCustomRequest};
+    ///
+    /// let flags = RealtimeDataCustomFlags::IMU_ANGLES;
+    /// let request = RealtimeDataCustomRequest { flags, ..Default::default() };
+    /// let answer = request.decode_answer(&[0x10, 0x27, 0x00, 0x10, 0x00, 0x00, 0x00, 0xF8])?;
+    /// assert_eq!(answer.imu_angles.map(|angles| angles.roll.degrees()), Some(90.0));
+    /// # Ok::<(), sbgc_proto::DecodeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If the payload is too short.
+    fn decode_answer<'answer>(&self, payload: &'answer [u8]) -> Result<Self::Answer<'answer>, DecodeError>;
 }
 
 /// Appends the payload of a message to `out`, unless its length is that of another form.

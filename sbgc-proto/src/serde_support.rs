@@ -7,7 +7,7 @@ use core::fmt;
 
 use serde::de::{Error, Unexpected, Visitor};
 
-use crate::wire::Label;
+use crate::wire::{Bytes, FixedText, Label, Reserved};
 
 /// Reads a label by name, or a raw number.
 pub(crate) struct LabelVisitor(pub(crate) &'static [Label]);
@@ -295,7 +295,10 @@ macro_rules! block {
         }
     };
 }
-pub(crate) use block;
+
+block!(Bytes);
+block!(Reserved);
+block!(FixedText);
 
 impl serde::Serialize for crate::wire::Float {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -403,6 +406,15 @@ impl<'de: 'a, 'a> serde::Deserialize<'de> for crate::wire::Text<'a> {
             <&str as serde::Deserialize>::deserialize(deserializer).map(|text| Self(text.as_bytes()))
         } else {
             borrowed_bytes::deserialize(deserializer).map(Self)
+        }
+    }
+}
+
+impl serde::Serialize for crate::wire::Text<'_> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self.as_str() {
+            Ok(text) if serializer.is_human_readable() => serializer.serialize_str(text),
+            _ => serializer.serialize_bytes(self.0),
         }
     }
 }

@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use sbgc_proto::reflect::MessageInfo;
-use sbgc_proto::{CommandId, Direction, IncomingCommand, OutgoingCommand};
+use sbgc_proto::{CommandId, Direction, IncomingCommand, MessageInfo, OutgoingCommand};
 
 const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/commands/table.md");
 

@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use sbgc_proto::reflect::MessageInfo;
-use sbgc_proto::{Direction, IncomingCommand, OutgoingCommand};
+use sbgc_proto::{Direction, IncomingCommand, MessageInfo, OutgoingCommand};
 
 /// Of every command with several forms the one to build: documented for present firmware, and harmless where fields
 /// are left out. The others delete, start, set up or store something then, or are of old firmware.

@@ -26,7 +26,7 @@ fn check(command: CommandId, request: &[u8], answer: CommandId, right: &[&[u8]],
 
 #[test]
 fn confirmations_name_the_command() {
-    let on = Expected::of(&MotorsOn {});
+    let on = Expected::of(&MotorsOn);
     assert!(on.matches(CommandId::CONFIRM, &[77]) && on.matches(CommandId::CONFIRM, &[77, 1, 2]));
     assert!(!on.matches(CommandId::CONFIRM, &[109, 0]) && !on.matches(CommandId::MotorsOn, &[77]));
     assert_eq!(on, Expected::confirmation(CommandId::MotorsOn));

@@ -1,8 +1,7 @@
 //! Every message of the protocol: bytes to value to bytes, and value to bytes to value, at every length.
 
 use proptest::prelude::*;
-use sbgc_proto::reflect::MessageInfo;
-use sbgc_proto::{CommandId, DecodeError, Direction, IncomingCommand, OutgoingCommand};
+use sbgc_proto::{CommandId, DecodeError, Direction, IncomingCommand, MessageInfo, OutgoingCommand};
 
 /// Reads a payload, writes what was read, and returns the bytes with what followed the known part.
 fn through(direction: Direction, id: CommandId, payload: &[u8]) -> Result<Vec<u8>, DecodeError> {

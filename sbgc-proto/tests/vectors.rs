@@ -96,7 +96,7 @@ impl Example {
         let mut out = [0; MAX_FRAME];
         let mut wrong = Vec::new();
         let encoded = if self.incoming {
-            let (message, rest) = IncomingCommand::of_frame(&frame).map_err(|error| broken(&error))?;
+            let (message, rest) = IncomingCommand::from_frame(&frame).map_err(|error| broken(&error))?;
             if matches!(message, IncomingCommand::Unknown { .. }) {
                 return Err(Fault::Untyped);
             }
@@ -121,7 +121,7 @@ impl Example {
             }
             message.encode_frame(self.version, &mut out).map(<[u8]>::to_vec)
         } else {
-            let (message, rest) = OutgoingCommand::of_frame(&frame).map_err(|error| broken(&error))?;
+            let (message, rest) = OutgoingCommand::from_frame(&frame).map_err(|error| broken(&error))?;
             if matches!(message, OutgoingCommand::Unknown { .. }) {
                 return Err(Fault::Untyped);
             }

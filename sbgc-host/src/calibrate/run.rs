@@ -281,7 +281,7 @@ impl CalibrationRun {
             [command, code, ..] if command == self.command.raw() => code,
             _ => return None,
         };
-        let name = FailureCode::of(self.command, code).name().unwrap_or("unknown error");
+        let name = FailureCode::from_raw(self.command, code).name().unwrap_or("unknown error");
         Some(self.step(CalibrationState::Failed, &format!("the board gave up with error {code} ({name})")))
     }
 

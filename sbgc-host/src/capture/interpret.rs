@@ -7,9 +7,9 @@ use sbgc_proto::commands::{
     CanDrvTelemetry, CanDrvTelemetryFlags, DebugVarKind, DebugVars3, RealtimeDataCustom, RealtimeDataCustom2,
     RealtimeDataCustom2Flags, RealtimeDataCustomFlags, StreamSource,
 };
-use sbgc_proto::reflect::{self, MessageInfo, Visitor};
+use sbgc_proto::reflect::{self, Visitor};
 use sbgc_proto::wire::FromWire;
-use sbgc_proto::{CommandId, DecodeError, Direction, IncomingCommand, Message, OutgoingCommand};
+use sbgc_proto::{CommandId, DecodeError, Direction, IncomingCommand, Message, MessageInfo, OutgoingCommand};
 
 /// A message with all that is known of it.
 #[derive(Clone, Debug)]

@@ -1,24 +1,24 @@
 //! Answers that borrow from their payload.
 
 use std::fmt;
-use std::marker::PhantomData;
 
 use bytes::Bytes;
-use sbgc_proto::{Message, Request};
+use sbgc_proto::Request;
 
 use crate::Result;
 
 /// The answer to a request, with the payload that it borrows from.
+#[derive(Clone)]
 pub struct Answer<Q> {
     payload: Bytes,
-    request: PhantomData<fn() -> Q>,
+    request: Q,
 }
 
 impl<Q: Request> Answer<Q> {
-    /// Takes a payload that can be read.
-    pub(super) fn new(payload: Bytes) -> Result<Self> {
-        <Q::Answer<'_> as Message>::decode(&payload)?;
-        Ok(Self { payload, request: PhantomData })
+    /// Takes a payload that can be decoded as the answer to `request`.
+    pub(super) fn new(request: Q, payload: Bytes) -> Result<Self> {
+        request.decode_answer(&payload)?;
+        Ok(Self { payload, request })
     }
 
     /// The answer.
@@ -26,21 +26,15 @@ impl<Q: Request> Answer<Q> {
     where
         Q::Answer<'a>: Default,
     {
-        // It was read once, and what it is read from has not changed since.
-        let answer = <Q::Answer<'a> as Message>::decode(&self.payload);
-        debug_assert!(answer.is_ok(), "what was read once can be read again");
+        // It was decoded once, and what it is decoded from has not changed since.
+        let answer = self.request.decode_answer(&self.payload);
+        debug_assert!(answer.is_ok(), "what was decoded once can be decoded again");
         answer.unwrap_or_default()
     }
 
     /// The payload.
     pub const fn payload(&self) -> &Bytes {
         &self.payload
-    }
-}
-
-impl<Q> Clone for Answer<Q> {
-    fn clone(&self) -> Self {
-        Self { payload: self.payload.clone(), request: PhantomData }
     }
 }
 

@@ -23,7 +23,7 @@ use sbgc_proto::commands::{
     ReadParams3,
 };
 use sbgc_proto::frame::{MAX_PAYLOAD, Version};
-use sbgc_proto::wire::{FromWire, ToWire};
+use sbgc_proto::wire::ToWire;
 use sbgc_proto::{CommandId, Direction, EncodeError, Expected, Message, Request, RequestInfo};
 use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::sync::{oneshot, watch};
@@ -195,16 +195,16 @@ impl Gimbal {
     pub async fn request<Q, A>(&self, request: &Q) -> Result<A>
     where
         Q: for<'b> Request<Answer<'b> = A> + ToWire,
-        A: Message + for<'b> FromWire<'b>,
+        A: Message,
     {
         let payload = self.ask(request, A::ID).await?;
-        Ok(A::decode(&payload)?)
+        Ok(request.decode_answer(&payload)?)
     }
 
     /// The same for answers that borrow from their payload.
-    pub async fn exchange<Q: Request + ToWire>(&self, request: &Q) -> Result<Answer<Q>> {
+    pub async fn exchange<Q: Request + ToWire + Clone>(&self, request: &Q) -> Result<Answer<Q>> {
         let payload = self.ask(request, <Q::Answer<'static> as Message>::ID).await?;
-        Answer::new(payload)
+        Answer::new(request.clone(), payload)
     }
 
     async fn ask<Q: Message + ToWire>(&self, request: &Q, answer: CommandId) -> Result<Bytes> {
@@ -305,22 +305,22 @@ impl Gimbal {
 
     /// What the board is, and the version of its firmware.
     pub async fn board_info(&self) -> Result<BoardInfo> {
-        self.request(&sbgc_proto::commands::BoardInfoRequest {}).await
+        self.request(&sbgc_proto::commands::BoardInfoRequest).await
     }
 
     /// More about what the board is.
     pub async fn board_info3(&self) -> Result<BoardInfo3> {
-        self.request(&BoardInfo3Request {}).await
+        self.request(&BoardInfo3Request).await
     }
 
     /// Where the camera points and where it should.
     pub async fn angles(&self) -> Result<Angles> {
-        self.request(&GetAngles {}).await
+        self.request(&GetAngles).await
     }
 
     /// The same, and how far the joints are turned.
     pub async fn angles_ext(&self) -> Result<AnglesExt> {
-        self.request(&GetAnglesExt {}).await
+        self.request(&GetAnglesExt).await
     }
 
     /// The first block of the parameters of a profile.
@@ -330,7 +330,7 @@ impl Gimbal {
 
     /// Switches the motors on.
     pub async fn motors_on(&self) -> Result<()> {
-        self.confirm(&MotorsOn {}).await.map(drop)
+        self.confirm(&MotorsOn).await.map(drop)
     }
 
     /// Switches the motors off.
@@ -419,7 +419,7 @@ pub(crate) fn explain(command: CommandId, failure: Failure) -> Error {
     match failure {
         Failure::Timeout { after, attempts } => Error::Timeout { command: name, after, attempts },
         Failure::Refused { code, data } => {
-            Error::Refused { command: name, code, name: FailureCode::of(command, code).name(), data }
+            Error::Refused { command: name, code, name: FailureCode::from_raw(command, code).name(), data }
         }
         Failure::Disconnected => Error::Disconnected,
         Failure::Closed => Error::Closed,

@@ -10,7 +10,7 @@ use sbgc_proto::commands::{
 use sbgc_proto::wire::{Float, List};
 use sbgc_proto::{EncodeError, Message};
 
-use super::block::is_in;
+use super::block::{has, is_in};
 use super::board::Parameters;
 use super::catalog::{NameError, nearest};
 use super::error::{ParamsError, Result};
@@ -156,7 +156,7 @@ impl Parameters {
     /// # Errors
     /// If the board does not answer, or refuses.
     pub async fn variables(&self) -> Result<Vec<Variable>> {
-        if is_in(AdjVarsInfoRequest::SINCE, self.info().firmware_ver)
+        if has(self.info().firmware_ver, AdjVarsInfoRequest::SINCE)
             && let Some(listed) = self.listed().await?
         {
             return Ok(listed);
@@ -258,7 +258,7 @@ impl Parameters {
     }
 
     fn has_floats(&self) -> bool {
-        is_in(GetAdjVarsValF::SINCE, self.info().firmware_ver)
+        has(self.info().firmware_ver, GetAdjVarsValF::SINCE)
     }
 
     /// Sets variables at once, without saving them. Values go out as integers where that says them in full or the
@@ -324,8 +324,8 @@ impl Parameters {
     /// # Errors
     /// If the firmware cannot save some only.
     pub fn saving(&self, ids: &[AdjustableVariable]) -> Result<SaveParams3Extended> {
-        let (firmware, since) = (self.info().firmware_ver, SaveParams3Extended::SINCE);
-        if !is_in(since, firmware) {
+        let (firmware, since) = (self.info().firmware_ver, SaveParams3Extended::SINCE.unwrap_or_default());
+        if firmware < since {
             return Err(ParamsError::Firmware { what: "saving some variables only", since, firmware });
         }
         Ok(SaveParams3Extended { adj_var_id: list(ids)? })

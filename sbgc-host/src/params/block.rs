@@ -34,7 +34,7 @@ struct Facts {
     read: CommandId,
     write: CommandId,
     spec: &'static str,
-    since: &'static str,
+    since: Option<FirmwareVersion>,
     form: &'static str,
     size: RangeInclusive<usize>,
 }
@@ -97,7 +97,7 @@ impl Block {
 
     /// Whether this firmware has it.
     pub fn is_in(self, firmware: FirmwareVersion) -> bool {
-        is_in(self.facts().since, firmware)
+        has(firmware, self.facts().since)
     }
 }
 
@@ -108,7 +108,12 @@ impl fmt::Display for Block {
     }
 }
 
-/// Whether `firmware` has what began with the version `since`, which is empty where that is unknown.
+/// Whether `firmware` has what began with the version `since`, `None` where that is unknown.
+pub(super) fn has(firmware: FirmwareVersion, since: Option<FirmwareVersion>) -> bool {
+    since.is_none_or(|since| firmware >= since)
+}
+
+/// Whether `firmware` has a field that began with the version `since`, which is empty where that is unknown.
 pub(super) fn is_in(since: &str, firmware: FirmwareVersion) -> bool {
     since.parse().map_or(true, |since: FirmwareVersion| firmware >= since)
 }

@@ -13,7 +13,7 @@ use sbgc_proto::wire::FixedText;
 use sbgc_proto::{CommandId, Message};
 use tokio::time::sleep;
 
-use super::block::{Block, Place, Profile, is_in};
+use super::block::{Block, Place, Profile, has};
 use super::catalog::Catalog;
 use super::error::{ParamsError, Result};
 use super::parameter::text_of;
@@ -313,10 +313,10 @@ impl Parameters {
     /// # Errors
     /// If the firmware does not have sets, or the board refuses or does not answer.
     pub async fn profile_set(&self, slot: ProfileSetSlot, action: ProfileSetAction) -> Result<()> {
-        if !is_in(ProfileSet::SINCE, self.info.firmware_ver) {
+        if !has(self.info.firmware_ver, ProfileSet::SINCE) {
             return Err(ParamsError::Firmware {
                 what: ProfileSet::SPEC,
-                since: ProfileSet::SINCE,
+                since: ProfileSet::SINCE.unwrap_or_default(),
                 firmware: self.info.firmware_ver,
             });
         }

@@ -36,7 +36,7 @@ pub enum ParamsError {
         /// What was asked for.
         what: &'static str,
         /// The first firmware that has it.
-        since: &'static str,
+        since: FirmwareVersion,
         /// The board's firmware.
         firmware: FirmwareVersion,
     },

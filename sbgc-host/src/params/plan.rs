@@ -5,7 +5,7 @@ use sbgc_proto::commands::{WriteParamsSet, WriteParamsSetAction};
 use sbgc_proto::units::FirmwareVersion;
 use sbgc_proto::{CommandId, Message};
 
-use super::block::{Place, is_in};
+use super::block::{Place, has};
 use super::parameter::parameters_of;
 use super::set::{Blocks, Difference, differences};
 
@@ -95,7 +95,7 @@ impl Plan {
 
     /// Whether the blocks go out between the two commands that hold back the board's restart.
     pub(super) fn is_bracketed(&self) -> bool {
-        is_in(WriteParamsSet::SINCE, self.firmware)
+        has(self.firmware, WriteParamsSet::SINCE)
             && self.steps.iter().any(|step| step.place.block.is_of_profile())
     }
 

@@ -69,6 +69,11 @@ impl Config {
         let since = first.parse::<FirmwareVersion>();
         self.firmware >= NEW || since.map_or(first.is_empty(), |since| self.firmware >= since)
     }
+
+    /// Whether the firmware has a message that came with this version, or from the first or an unknown one on.
+    pub(super) fn knows(&self, since: Option<FirmwareVersion>) -> bool {
+        self.firmware >= NEW || since.is_none_or(|since| self.firmware >= since)
+    }
 }
 
 /// One block of parameters of one profile, as the payload that carries it.

@@ -5,13 +5,13 @@ use std::array;
 use sbgc_proto::commands::{
     AxisOrientation, BeeperModes, DevicePort, EncoderSelection, EncoderType, ExtImuPosition, ExtImuType,
     FiltersEnabled, FrameImuPosition, GeneralFlags1, ImuType, MenuCommand, MotorOutput, MotorTuning,
-    NotchFilters, Params3, ParamsExt, ParamsExt2, ParamsExt3, PidGain, PidTerm, ProfileId, ProfileNames,
-    RcAxis, RcCalibration, RcSource, ShakeFrequency, ShakePause, ShakeRange, ShakeResonance, Switch,
+    NotchFilters, Params3, ParamsExt, ParamsExt2, ParamsExt3, ProfileId, ProfileNames, RcAxis, RcCalibration,
+    RcSource, Switch,
 };
 use sbgc_proto::units::{
     AccelerationLimit, CurrentLimit, Delay, Ellipticity, FastFilterFrequency, GearRatio, Gearing, LimitWidth,
-    MagneticLink, NotchFrequency, PhaseResistance, ServoRate, ShuntResistance, SlowFilterFrequency,
-    TripCurrent, VoltageThreshold,
+    MagneticLink, NotchFrequency, PhaseResistance, PidGain, PidTerm, ServoRate, ShakeFrequency, ShakePause,
+    ShakeRange, ShakeResonance, ShuntResistance, SlowFilterFrequency, TripCurrent, VoltageThreshold,
 };
 use sbgc_proto::wire::{FixedText, PerAxis};
 

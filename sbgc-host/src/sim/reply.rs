@@ -69,7 +69,7 @@ pub(super) enum Refusal {
 impl Refusal {
     /// The error message. Commands that deal with the EEPROM have error codes of their own.
     pub(super) fn replies(self, command: CommandId) -> Replies {
-        let general = |code| match FailureCode::of(command, 0) {
+        let general = |code| match FailureCode::from_raw(command, 0) {
             FailureCode::Files(_) => FailureCode::Files(FsErrorCode::WrongParams),
             _ => FailureCode::General(code),
         };

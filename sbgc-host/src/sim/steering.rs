@@ -373,7 +373,7 @@ fn told_by(order: Order, axis: &Axis, frame: f64) -> Option<Change> {
         }
         ControlModeKind::Rc => rc(coarse(order.signal)),
         ControlModeKind::RcHighRes => rc(high_res(order.signal)),
-        ControlModeKind::Unknown(_) => return None,
+        _ => return None,
     }))
 }
 

@@ -29,6 +29,32 @@ impl Parse for Size {
     }
 }
 
+/// A version of the firmware, as text and as the number that the board reports.
+pub(crate) struct Since {
+    pub(crate) text: String,
+    pub(crate) raw: u16,
+}
+
+impl Parse for Since {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let text: LitStr = input.parse()?;
+        let value = text.value();
+        let raw = raw_version(&value).ok_or_else(|| {
+            Error::new(text.span(), "expected a version such as \"2.68\", \"2.68b7\" or \"2.73.4\"")
+        })?;
+        Ok(Since { text: value, raw })
+    }
+}
+
+/// 2687 for "2.68b7", 2734 for "2.73.4".
+fn raw_version(text: &str) -> Option<u16> {
+    let (major, rest) = text.split_once('.')?;
+    let (minor, last) = rest.split_once(['b', '.']).unwrap_or((rest, "0"));
+    let (major, minor, last): (u16, u16, u16) =
+        (major.parse().ok()?, minor.parse().ok()?, last.parse().ok()?);
+    (major < 60 && minor < 100 && last < 10).then_some(major * 1000 + minor * 10 + last)
+}
+
 /// `context(name: Type)`.
 pub(crate) struct Context {
     pub(crate) name: Ident,
@@ -101,8 +127,12 @@ pub(crate) struct Arguments {
     pub(crate) echo: Vec<Echo>,
     pub(crate) acts: bool,
     pub(crate) slow: bool,
-    pub(crate) since: Option<String>,
+    pub(crate) since: Option<Since>,
     pub(crate) context: Option<Context>,
+    /// The field whose flags choose others, where it is not the context.
+    pub(crate) flags: Option<Ident>,
+    /// What the answer is read with.
+    pub(crate) given: Option<Expr>,
 }
 
 impl Arguments {
@@ -136,6 +166,8 @@ impl Arguments {
             slow: false,
             since: None,
             context: None,
+            flags: None,
+            given: None,
         };
         let mut directions = 0;
         if is_message {
@@ -164,9 +196,11 @@ impl Arguments {
                 }
                 "answer" if is_message => arguments.answer = Some(value(input)?),
                 "echo" if is_message => arguments.echo = echoes(input)?,
+                "given" if is_message => arguments.given = Some(value(input)?),
+                "flags" => arguments.flags = Some(value(input)?),
                 "acts" if is_message => arguments.acts = true,
                 "slow" if is_message => arguments.slow = true,
-                "since" => arguments.since = Some(value::<LitStr>(input)?.value()),
+                "since" => arguments.since = Some(value(input)?),
                 "context" => {
                     let inner;
                     parenthesized!(inner in input);
@@ -187,8 +221,8 @@ impl Arguments {
         if !arguments.outgoing && (asks || arguments.acts || arguments.slow) {
             return Err(Error::new(Span::call_site(), "only requests have an answer and do something"));
         }
-        if arguments.answer.is_none() && !arguments.echo.is_empty() {
-            return Err(Error::new(Span::call_site(), "an echo needs the `answer` that has it"));
+        if arguments.answer.is_none() && (!arguments.echo.is_empty() || arguments.given.is_some()) {
+            return Err(Error::new(Span::call_site(), "say with `answer` what is answered"));
         }
         Ok(arguments)
     }
@@ -219,6 +253,8 @@ pub(crate) struct FieldArguments {
     pub(crate) range: Option<(Expr, Expr)>,
     pub(crate) since: Option<String>,
     pub(crate) when: Option<Expr>,
+    /// The flag with which the field is present.
+    pub(crate) flag: Option<Expr>,
     pub(crate) context: Option<Expr>,
     pub(crate) count: Option<Count>,
 }
@@ -244,6 +280,7 @@ impl FieldArguments {
             "since" => self.since = Some(string(value)?),
             "range" => self.range = Some(range(value)?),
             "when" => self.when = Some(value),
+            "flag" => self.flag = Some(value),
             "context" => self.context = Some(value),
             "counted_by" => self.count = Some(Count::Prefix(string(value)?)),
             "count" => self.count = Some(Count::Exactly(value)),

@@ -226,7 +226,14 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
     };
     let spec = command.to_string();
     let direction = if arguments.outgoing { quote!(Outgoing) } else { quote!(Incoming) };
-    let (form, since) = (&arguments.form, arguments.since.as_deref().unwrap_or_default());
+    let form = &arguments.form;
+    let since = match &arguments.since {
+        Some(since) => {
+            let raw = since.raw;
+            quote!(::core::option::Option::Some(crate::units::FirmwareVersion(#raw)))
+        }
+        None => quote!(::core::option::Option::None),
+    };
     let (min, max, is_default) = (size.min, size.max, arguments.is_default);
     let accepts = arguments.lengths.as_ref().map(|lengths| {
         quote!(
@@ -236,9 +243,18 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
         )
     });
     let request = arguments.answer.as_ref().map(|answer| {
+        let given = arguments.given.as_ref().map_or_else(|| quote!(()), |given| quote!(#given));
         quote! {
             impl #generics crate::message::Request for #ty {
                 type Answer<'answer> = #answer;
+
+                fn decode_answer<'answer>(
+                    &self,
+                    payload: &'answer [u8],
+                ) -> ::core::result::Result<Self::Answer<'answer>, crate::DecodeError> {
+                    let answer = <#answer as crate::message::Message>::decode_with(payload, #given);
+                    answer.map(|(answer, _)| answer)
+                }
             }
         }
     });
@@ -254,7 +270,7 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
             const SPEC: &'static str = #spec;
             const FORM: &'static str = #form;
             const IS_DEFAULT: bool = #is_default;
-            const SINCE: &'static str = #since;
+            const SINCE: ::core::option::Option<crate::units::FirmwareVersion> = #since;
             const SUMMARY: &'static str = #doc;
             const SIZE: ::core::ops::RangeInclusive<usize> = #min..=#max;
             #accepts

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Token, parse_quote};
+use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Token, Type, parse_quote};
 
 use crate::attributes::{Arguments, Count};
 use crate::structure::Field;
@@ -78,7 +78,7 @@ pub(crate) fn of_message(arguments: &Arguments) -> Vec<Attribute> {
         };
     }
     if let Some(since) = &arguments.since {
-        let _ = write!(line, ", firmware {since} and later");
+        let _ = write!(line, ", firmware {}+", since.text);
     }
     line.push('.');
     if let Some(answer) = &arguments.answer {
@@ -99,7 +99,9 @@ pub(crate) fn of_message(arguments: &Arguments) -> Vec<Attribute> {
 }
 
 /// What a field's entry says besides its own words.
-pub(crate) fn of_field(field: &Field) -> Vec<Attribute> {
+///
+/// `flags` is the type of the flags that choose fields.
+pub(crate) fn of_field(field: &Field, flags: Option<&Type>) -> Vec<Attribute> {
     let arguments = &field.arguments;
     if field.reserved {
         return Vec::new();
@@ -119,14 +121,17 @@ pub(crate) fn of_field(field: &Field) -> Vec<Attribute> {
         facts.push(format!("raw range {} to {}", plain(from), plain(to)));
     }
     if let Some(since) = &arguments.since {
-        facts.push(format!("firmware {since} and later"));
+        facts.push(format!("firmware {since}+"));
     }
     let mut line = facts.join(", ");
     if let Some(first) = line.get_mut(..1) {
         first.make_ascii_uppercase();
         line.push('.');
     }
-    if let Some(when) = &arguments.when {
+    if let (Some(flag), Some(flags)) = (&arguments.flag, flags) {
+        let (flag, flags) = (flag.to_token_stream(), flags.to_token_stream());
+        let _ = write!(line, " Present with [`{flag}`]({flags}::{flag}).");
+    } else if let Some(when) = &arguments.when {
         let when = when.to_token_stream().to_string().replace(" . ", ".").replace(" :: ", "::");
         let _ = write!(
             line,

@@ -17,6 +17,7 @@ macro_rules! local {
 
 mod attributes;
 mod codec;
+mod declaration;
 mod documentation;
 mod open_enum;
 mod reflection;
@@ -49,6 +50,8 @@ use proc_macro::TokenStream;
 /// | `slow` | the answer may take seconds |
 /// | `since = "…"` | first firmware |
 /// | `context(name: Type)` | what must be known besides the payload to read it |
+/// | `given = expression` | the context with which the answer is read; the request is `self` |
+/// | `flags = field` | the field whose flags choose others; the context, if there is one, need not be named |
 ///
 /// Echoes are checked when compiling: both fields exist, at fixed offsets and of one size. Rules are:
 ///
@@ -72,6 +75,7 @@ use proc_macro::TokenStream;
 /// | `range = A..=B` | allowed raw values |
 /// | `since = "…"` | first firmware that uses the field |
 /// | `when = expression` | the field, an `Option`, is on the wire only then; earlier fields are in scope by reference |
+/// | `flag = NAME` | the field, an `Option`, is on the wire only with this flag |
 /// | `context = expression` | handed to the field's own type, which declares a `context` |
 /// | `counted_by = "…"` | a list that follows its own count byte, with the spec's name of that byte |
 /// | `count = expression` | a list of so many elements |
@@ -80,7 +84,7 @@ use proc_macro::TokenStream;
 /// An `Option` without `when` is an optional tail: absent when the payload ends before it.
 #[proc_macro_attribute]
 pub fn message(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    structure::expand_message(arguments.into(), item.into())
+    declaration::expand_message(arguments.into(), item.into())
         .unwrap_or_else(syn::Error::into_compile_error)
         .into()
 }
@@ -89,15 +93,16 @@ pub fn message(arguments: TokenStream, item: TokenStream) -> TokenStream {
 /// same field attributes.
 #[proc_macro_attribute]
 pub fn record(arguments: TokenStream, item: TokenStream) -> TokenStream {
-    structure::expand_record(arguments.into(), item.into())
+    declaration::expand_record(arguments.into(), item.into())
         .unwrap_or_else(syn::Error::into_compile_error)
         .into()
 }
 
 /// Declares an enumeration of wire values that keeps the values it does not know.
 ///
-/// The argument is the integer on the wire. Each variant has its value and, where it is not the variant's name in
-/// capitals, `#[wire(spec = "…")]`. A last variant `Unknown` with the raw value is added.
+/// The argument is the integer on the wire, and after it may stand the `prefix = "…"` of the spec's names. Each variant
+/// has its value and, where it is not the prefix and the variant's name in capitals, `#[wire(spec = "…")]`. A last
+/// variant `Unknown` with the raw value is added. Values may be added later, so the enumeration is not exhaustive.
 #[proc_macro_attribute]
 pub fn open_enum(arguments: TokenStream, item: TokenStream) -> TokenStream {
     open_enum::expand(arguments.into(), item.into()).unwrap_or_else(syn::Error::into_compile_error).into()

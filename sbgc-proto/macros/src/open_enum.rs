@@ -2,10 +2,35 @@
 
 use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
-use syn::{Error, Expr, ItemEnum, Result, parse_quote, parse2};
+use syn::parse::{Parse, ParseStream};
+use syn::{Error, Expr, ItemEnum, LitStr, Result, Token, parse_quote, parse2};
 
 use crate::attributes::{FieldArguments, capitals};
 use crate::documentation;
+
+/// `u8` or `u8, prefix = "CMD_"`.
+struct Arguments {
+    integer: Ident,
+    /// What stands before the variants' names in the spec.
+    prefix: String,
+}
+
+impl Parse for Arguments {
+    fn parse(input: ParseStream<'_>) -> Result<Self> {
+        let integer = input.parse()?;
+        let mut prefix = String::new();
+        if !input.is_empty() {
+            input.parse::<Token![,]>()?;
+            let key: Ident = input.parse()?;
+            if key != "prefix" {
+                return Err(Error::new(key.span(), format!("`{key}` means nothing here")));
+            }
+            input.parse::<Token![=]>()?;
+            prefix = input.parse::<LitStr>()?.value();
+        }
+        Ok(Arguments { integer, prefix })
+    }
+}
 
 struct Variant {
     name: Ident,
@@ -15,9 +40,10 @@ struct Variant {
 }
 
 pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenStream> {
-    let integer: Ident = parse2(arguments)?;
+    let Arguments { integer, prefix } = parse2(arguments)?;
     let mut item: ItemEnum = parse2(item)?;
-    let variants = variants(&mut item)?;
+    let variants = variants(&mut item, &prefix)?;
+    item.attrs.push(parse_quote!(#[non_exhaustive]));
     item.variants.push(parse_quote! {
         /// A value that this list does not have. `From` never makes one of a value that it has.
         Unknown(#integer)
@@ -74,7 +100,7 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
             }
         }
 
-        crate::wire::number_type!(
+        crate::declare::number_type!(
             #name: #integer, read |raw| #name::from_raw(raw), raw |value| value.raw(), labelled
         );
 
@@ -111,7 +137,7 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
     })
 }
 
-fn variants(item: &mut ItemEnum) -> Result<Vec<Variant>> {
+fn variants(item: &mut ItemEnum, prefix: &str) -> Result<Vec<Variant>> {
     let mut variants = Vec::new();
     for variant in &mut item.variants {
         let Some((_, value)) = variant.discriminant.take() else {
@@ -119,8 +145,9 @@ fn variants(item: &mut ItemEnum) -> Result<Vec<Variant>> {
         };
         let doc = documentation::summary(&variant.attrs);
         let arguments = FieldArguments::take(&mut variant.attrs)?;
-        let spec = arguments.spec.unwrap_or_else(|| capitals(&variant.ident.to_string()));
-        let since = arguments.since.map(|since| format!(", firmware {since} and later")).unwrap_or_default();
+        let spec =
+            arguments.spec.unwrap_or_else(|| format!("{prefix}{}", capitals(&variant.ident.to_string())));
+        let since = arguments.since.map(|since| format!(", firmware {since}+")).unwrap_or_default();
         let line = format!("Spec: `{spec}` = {}{since}.", quote!(#value).to_string().replace("- ", "-"));
         variant
             .attrs

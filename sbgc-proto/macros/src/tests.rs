@@ -3,10 +3,10 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::{open_enum, structure};
+use crate::{declaration, open_enum};
 
 fn message(arguments: TokenStream, item: TokenStream) -> String {
-    match structure::expand_message(arguments, item) {
+    match declaration::expand_message(arguments, item) {
         Ok(_) => String::from("fine"),
         Err(error) => error.to_string(),
     }

@@ -2,51 +2,52 @@
 
 use sbgc_proto_macros::message;
 
+use crate::declare::flags;
 use crate::units::{BoardVersion, FirmwareVersion, FlashSize};
-use crate::wire::{Bytes, Reserved, flags};
+use crate::wire::{Bytes, Reserved};
 
-/// Asks what the board is.
+/// Requests board and firmware version.
 #[message(CMD_BOARD_INFO, outgoing, form = "simple", default, size = 0, length = 0, answer = BoardInfo)]
-pub struct BoardInfoRequest {}
+pub struct BoardInfoRequest;
 
-/// Asks what the board is, and sets up the driver of the port on which it comes.
+/// Requests board and firmware version, and configures the driver of the receiving port.
 ///
-/// The board does not check what follows the first two bytes.
+/// The board does not check the bytes after the first two.
 #[message(CMD_BOARD_INFO, outgoing, form = "extended", size = 2..=255, answer = BoardInfo, acts)]
 pub struct BoardInfoExtendedRequest<'a> {
-    /// On a UART the time between packets of 20 bytes, as Bluetooth Low Energy wants them; without meaning on USB.
+    /// On a UART, period between 20-byte packets for Bluetooth Low Energy; ignored on USB.
     #[wire(unit = "ms")]
     pub cfg: u16,
-    /// From firmware 2.73.6 on a password that opens a protected port: its length, 1 to 32, then its bytes.
+    /// Password that unlocks a protected port: its length, 1 to 32, then its bytes. Firmware 2.73.6+.
     ///
     /// See [`password`](Self::password). Published in the vendor's Python library only.
     pub reserved: &'a [u8],
 }
 
 impl<'a> BoardInfoExtendedRequest<'a> {
-    /// The password, `None` where there is none, or not all of it.
+    /// The password; `None` if it is absent or truncated.
     pub fn password(&self) -> Option<&'a [u8]> {
         let (length, rest) = self.reserved.split_first()?;
         rest.get(..usize::from(*length)).filter(|password| !password.is_empty())
     }
 }
 
-/// What the board is.
+/// Board and firmware version, state and features.
 #[message(CMD_BOARD_INFO, incoming, size = 18)]
 pub struct BoardInfo {
     /// Version of the hardware.
     pub board_ver: BoardVersion,
     /// Version of the firmware.
     pub firmware_ver: FirmwareVersion,
-    /// How far the start has come, and other states of the firmware.
+    /// Start-up progress and other firmware state flags.
     pub state_flags1: StateFlags1,
-    /// What the board can do.
+    /// Features of the board.
     pub board_features: BoardFeatures,
-    /// How the board is connected.
+    /// Connection of the board.
     pub connection_flag: ConnectionFlags,
-    /// Marks special builds; without meaning otherwise.
+    /// Id of a special build; otherwise unused.
     pub frw_extra_id: u32,
-    /// More of what the board can do, in newer firmware.
+    /// Further features of the board. Newer firmware.
     pub board_features_ext: BoardFeaturesExt,
     /// Model of the sensor of the main IMU, in newer firmware. The numbers are not published.
     pub main_imu_sens_model: u8,
@@ -55,20 +56,20 @@ pub struct BoardInfo {
     /// Number of the build.
     #[wire(since = "2.73")]
     pub build_number: u8,
-    /// Version of the firmware on which a special one is based, in newer firmware.
+    /// Version of the firmware on which a special one is based. Newer firmware.
     pub base_frw_ver: FirmwareVersion,
 }
 
-/// Asks for more about the board.
+/// Requests further board information.
 #[message(CMD_BOARD_INFO_3, outgoing, size = 0, answer = BoardInfo3)]
-pub struct BoardInfo3Request {}
+pub struct BoardInfo3Request;
 
-/// More about the board: ids, memory, scripts, sets of profiles, and what newer firmware tells.
+/// Further board information: ids, memory, scripts and profile sets.
 #[message(CMD_BOARD_INFO_3, incoming, size = 69)]
 pub struct BoardInfo3 {
-    /// The controller's id in the licensing system; no two are the same.
+    /// Unique id of the controller in the licensing system.
     pub device_id: Bytes<9>,
-    /// The processor's id; no two are the same.
+    /// Unique id of the processor.
     pub mcu_id: Bytes<12>,
     /// Size of the EEPROM, 32768 on most boards.
     #[wire(unit = "byte")]
@@ -88,42 +89,42 @@ pub struct BoardInfo3 {
     /// Size of the script in slot 5; 0 is an empty slot.
     #[wire(unit = "byte")]
     pub script_slot5_size: u16,
-    /// The sets of profiles that are not empty.
+    /// Profile sets that are not empty.
     pub profile_set_slots: ProfileSetSlots,
-    /// The set of profiles in use.
+    /// Profile set in use.
     #[wire(range = 1..=6)]
     pub profile_set_cur: u8,
-    /// Size of the flash memory, in newer firmware.
+    /// Size of the flash memory. Newer firmware.
     pub flash_size: FlashSize,
-    /// What the IMUs are calibrated for, in newer firmware. The bytes are not published.
+    /// Calibration state of the IMUs, unpublished. Newer firmware.
     pub imu_calib_info: Bytes<2>,
-    /// Size of the script in slot 6, in newer firmware; 0 is an empty slot.
+    /// Size of the script in slot 6; 0 is an empty slot. Newer firmware.
     #[wire(unit = "byte")]
     pub script_slot6_size: u16,
-    /// Size of the script in slot 7, in newer firmware; 0 is an empty slot.
+    /// Size of the script in slot 7; 0 is an empty slot. Newer firmware.
     #[wire(unit = "byte")]
     pub script_slot7_size: u16,
-    /// Size of the script in slot 8, in newer firmware; 0 is an empty slot.
+    /// Size of the script in slot 8; 0 is an empty slot. Newer firmware.
     #[wire(unit = "byte")]
     pub script_slot8_size: u16,
-    /// Size of the script in slot 9, in newer firmware; 0 is an empty slot.
+    /// Size of the script in slot 9; 0 is an empty slot. Newer firmware.
     #[wire(unit = "byte")]
     pub script_slot9_size: u16,
-    /// Size of the script in slot 10, in newer firmware; 0 is an empty slot.
+    /// Size of the script in slot 10; 0 is an empty slot. Newer firmware.
     #[wire(unit = "byte")]
     pub script_slot10_size: u16,
-    /// What is on the board, in newer firmware.
+    /// Hardware options of the board. Newer firmware.
     pub hw_flags: HardwareFlags,
-    /// Still more of what the board can do.
+    /// Further features of the board.
     #[wire(since = "2.73")]
     pub board_features_ext2: BoardFeaturesExt2,
-    /// How many CAN drivers of main motors the licence allows.
+    /// Maximum number of CAN drivers of main motors under the licence.
     #[wire(since = "2.72.3")]
     pub can_drv_main_limit: u8,
-    /// How many CAN drivers of auxiliary motors the licence allows.
+    /// Maximum number of CAN drivers of auxiliary motors under the licence.
     #[wire(since = "2.72.3")]
     pub can_drv_aux_limit: u8,
-    /// How many adjustable variables there are.
+    /// Total number of adjustable variables.
     #[wire(since = "2.73")]
     pub adj_vars_total_num: u8,
     pub reserved: Reserved<10>,
@@ -148,17 +149,17 @@ impl BoardInfo3 {
 }
 
 flags! {
-    /// How far the start has come, and other states of the firmware. Spec: `STATE_FLAGS1`.
+    /// Start-up progress and other firmware state flags. Spec: `STATE_FLAGS1`.
     pub struct StateFlags1: u8 {
         /// For internal use.
         const DEBUG_MODE = 1 << 0;
-        /// The frame is upside down. Firmware 2.66 and later.
+        /// The frame is upside down. Firmware 2.66+.
         const IS_FRAME_INVERTED = 1 << 1;
-        /// Basic sensors are ready, and the frame's inversion is applied. Firmware 2.66 and later.
+        /// Basic sensors are ready, and the frame's inversion is applied. Firmware 2.66+.
         const INIT_STEP1_DONE = 1 << 2;
-        /// Radio control and adjustable variables are ready, and positioning begins. Firmware 2.66 and later.
+        /// Radio control and adjustable variables are ready, and positioning begins. Firmware 2.66+.
         const INIT_STEP2_DONE = 1 << 3;
-        /// Positioning and calibrations at the start are done. Firmware 2.66 and later.
+        /// Positioning and calibrations at the start are done. Firmware 2.66+.
         const STARTUP_AUTO_ROUTINE_DONE = 1 << 4;
         /// Power management is on. Newer firmware.
         const POWER_MANAGER_ENABLED = 1 << 5;
@@ -166,47 +167,47 @@ flags! {
 }
 
 flags! {
-    /// What the board can do. Those above [`CURRENT_SENSOR`](Self::CURRENT_SENSOR) are told by newer firmware.
+    /// Features of the board. Those above [`CURRENT_SENSOR`](Self::CURRENT_SENSOR) are reported by newer firmware.
     ///
     /// Spec: `BOARD_FEATURE`.
-    pub struct BoardFeatures: u16 {
+    pub struct BoardFeatures: u16, prefix "BOARD_FEATURE_" {
         /// It controls three axes.
         const THREE_AXES "BOARD_FEATURE_3AXIS" = 1 << 0;
         /// It measures the battery.
-        const BAT_MONITORING "BOARD_FEATURE_BAT_MONITORING" = 1 << 1;
+        const BAT_MONITORING = 1 << 1;
         /// It has encoders on the motors.
-        const ENCODERS "BOARD_FEATURE_ENCODERS" = 1 << 2;
+        const ENCODERS = 1 << 2;
         /// It runs the Bode test.
-        const BODE_TEST "BOARD_FEATURE_BODE_TEST" = 1 << 3;
+        const BODE_TEST = 1 << 3;
         /// It runs scripts.
-        const SCRIPTING "BOARD_FEATURE_SCRIPTING" = 1 << 4;
+        const SCRIPTING = 1 << 4;
         /// It measures the current.
-        const CURRENT_SENSOR "BOARD_FEATURE_CURRENT_SENSOR" = 1 << 5;
+        const CURRENT_SENSOR = 1 << 5;
         /// It has a magnetometer.
-        const MAG_SENSOR "BOARD_FEATURE_MAG_SENSOR" = 1 << 6;
+        const MAG_SENSOR = 1 << 6;
         /// Its axes can have the order of the Letus gimbal.
-        const ORDER_OF_AXES_LETUS "BOARD_FEATURE_ORDER_OF_AXES_LETUS" = 1 << 7;
+        const ORDER_OF_AXES_LETUS = 1 << 7;
         /// The main IMU has its own EEPROM.
-        const IMU_EEPROM "BOARD_FEATURE_IMU_EEPROM" = 1 << 8;
+        const IMU_EEPROM = 1 << 8;
         /// The frame IMU has its own EEPROM.
-        const FRAME_IMU_EEPROM "BOARD_FEATURE_FRAME_IMU_EEPROM" = 1 << 9;
+        const FRAME_IMU_EEPROM = 1 << 9;
         /// It has a CAN port.
-        const CAN_PORT "BOARD_FEATURE_CAN_PORT" = 1 << 10;
+        const CAN_PORT = 1 << 10;
         /// It knows the moments of inertia.
-        const MOMENTUM "BOARD_FEATURE_MOMENTUM" = 1 << 11;
+        const MOMENTUM = 1 << 11;
         /// It corrects cogging.
-        const COGGING_CORRECTION "BOARD_FEATURE_COGGING_CORRECTION" = 1 << 12;
+        const COGGING_CORRECTION = 1 << 12;
         /// It controls a fourth motor.
-        const MOTOR4_CONTROL "BOARD_FEATURE_MOTOR4_CONTROL" = 1 << 13;
+        const MOTOR4_CONTROL = 1 << 13;
         /// It calibrates the accelerometer by itself.
-        const ACC_AUTO_CALIB "BOARD_FEATURE_ACC_AUTO_CALIB" = 1 << 14;
+        const ACC_AUTO_CALIB = 1 << 14;
         /// It has the larger flash memory.
-        const BIG_FLASH "BOARD_FEATURE_BIG_FLASH" = 1 << 15;
+        const BIG_FLASH = 1 << 15;
     }
 }
 
 flags! {
-    /// More of what the board can do, as newer firmware tells. Spec: `BOARD_FEATURE_EXT`.
+    /// Further features of the board. Newer firmware. Spec: `BOARD_FEATURE_EXT`.
     pub struct BoardFeaturesExt: u16 {
         /// It takes an external IMU.
         const EXT_IMU = 1 << 0;
@@ -226,7 +227,7 @@ flags! {
 }
 
 flags! {
-    /// Still more of what the board can do. Spec: `BOARD_FEATURE_EXT2`.
+    /// Further features of the board. Spec: `BOARD_FEATURE_EXT2`.
     pub struct BoardFeaturesExt2: u32 {
         /// It is a Plus version.
         const PLUS_VER = 1 << 0;
@@ -242,15 +243,15 @@ flags! {
 }
 
 flags! {
-    /// How the board is connected. Spec: `CONNECTION_FLAG`.
-    pub struct ConnectionFlags: u8 {
+    /// Connection of the board. Spec: `CONNECTION_FLAG`.
+    pub struct ConnectionFlags: u8, prefix "CONNECTION_" {
         /// Over USB.
-        const USB "CONNECTION_USB" = 1 << 0;
+        const USB = 1 << 0;
     }
 }
 
 flags! {
-    /// What is on the board. Spec: `HARDWARE_FLAGS`.
+    /// Hardware options of the board. Spec: `HARDWARE_FLAGS`.
     pub struct HardwareFlags: u16 {
         /// A one-wire chip for encryption.
         const ONE_WIRE_CRYPTO_IC = 1 << 0;
@@ -261,17 +262,17 @@ flags! {
     /// Sets of profiles. Spec: `PROFILE_SET_SLOTS`.
     ///
     /// One place of the spec has bit 2 for set 2; the sets take the bits 0 to 5 in order.
-    pub struct ProfileSetSlots: u8 {
+    pub struct ProfileSetSlots: u8, prefix "PROFILE_" {
         /// Set 1.
-        const SET_1 "PROFILE_SET_1" = 1 << 0;
+        const SET_1 = 1 << 0;
         /// Set 2.
-        const SET_2 "PROFILE_SET_2" = 1 << 1;
+        const SET_2 = 1 << 1;
         /// Set 3.
-        const SET_3 "PROFILE_SET_3" = 1 << 2;
+        const SET_3 = 1 << 2;
         /// Set 4.
-        const SET_4 "PROFILE_SET_4" = 1 << 3;
+        const SET_4 = 1 << 3;
         /// Set 5.
-        const SET_5 "PROFILE_SET_5" = 1 << 4;
+        const SET_5 = 1 << 4;
         /// The backup.
         const BACKUP "PROFILE_SET_BACKUP" = 1 << 5;
     }

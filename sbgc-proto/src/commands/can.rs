@@ -3,27 +3,28 @@
 use sbgc_proto_macros::{message, open_enum, record};
 
 use crate::commands::Confirm;
+use crate::declare::{bit_enums, bit_fields};
 use crate::units::ModuleVersion;
-use crate::wire::{Bytes, List, Reserved, bit_enums, bit_fields};
+use crate::wire::{Bytes, List, Reserved};
 
-/// Looks for devices on the CAN bus.
+/// Scans the CAN bus for devices.
 ///
-/// A board that refuses sends `CMD_ERROR`.
+/// A board that rejects the scan sends `CMD_ERROR`.
 #[message(CMD_CAN_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan, acts, slow)]
-pub struct CanDeviceScanRequest {}
+pub struct CanDeviceScanRequest;
 
-/// Looks for uDrv modules, finds their IMU and gives out ids.
+/// Scans for uDrv modules, locates their IMU and assigns ids.
 ///
-/// It changes which device does what.
+/// It changes the roles of devices.
 ///
 /// Published in the vendor's Python library only.
 #[message(CMD_UDRV_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan, acts, slow)]
-pub struct UdrvDeviceScan {}
+pub struct UdrvDeviceScan;
 
-/// The devices that were found on the CAN bus.
+/// Devices found on the CAN bus.
 #[message(CMD_CAN_DEVICE_SCAN, incoming, size = 0..=252)]
 pub struct CanDeviceScan {
-    /// The devices; none when none answered.
+    /// Devices found; empty if none answered.
     #[wire(group)]
     pub devices: List<CanDevice, 18>,
 }
@@ -32,47 +33,46 @@ pub struct CanDeviceScan {
 #[record(size = 14)]
 #[derive(Copy)]
 pub struct CanDevice {
-    /// Its own number; no two are the same.
+    /// Unique id of the device.
     pub uid: Bytes<12>,
-    /// What it is used as.
+    /// Role of the device.
     pub id: CanDeviceId,
-    /// What it is.
+    /// Type of the device.
     #[wire(spec = "TYPE")]
     pub device_type: CanDeviceTypeByte,
 }
 
 bit_fields! {
-    /// What a device on the CAN bus is, and where its id comes from.
+    /// Type of a device on the CAN bus, and the origin of its id.
     pub struct CanDeviceTypeByte: u8 {
-        /// What it is.
+        /// Type of the device.
         0..=6 => kind / with_kind "CAN_DEVICE_TYPE": CanDeviceType,
-        /// Its id is set in hardware.
-        7..=7 => hardware_id / with_hardware_id "HARDWARE_ID": bool,
+        /// Whether the id is set in hardware.
+        7 => hardware_id / with_hardware_id "HARDWARE_ID": bool,
     }
 }
 
-/// What a device on the CAN bus is. Spec: `CAN_DEVICE_TYPE`.
+/// Type of a device on the CAN bus. Spec: `CAN_DEVICE_TYPE`.
 #[open_enum(u8)]
 pub enum CanDeviceType {
     /// A motor driver.
     MotorDriver = 1,
-    /// An inertial measurement unit.
+    /// An IMU.
     Imu = 2,
 }
 bit_enums!(CanDeviceType);
 
-/// What a device on the CAN bus is used as. Spec: `CAN_DEVICE_ID`.
+/// Role of a device on the CAN bus. Spec: `CAN_DEVICE_ID`.
 ///
 /// These are not the numbers of [`CanModuleId`].
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "CAN_")]
 pub enum CanDeviceId {
-    /// Nothing yet.
+    /// Not assigned.
+    #[wire(spec = "NOT_ASSIGNED")]
     NotAssigned = 0,
     /// Main IMU.
-    #[wire(spec = "CAN_IMU_MAIN")]
     ImuMain = 5,
     /// Frame IMU.
-    #[wire(spec = "CAN_IMU_FRAME")]
     ImuFrame = 6,
     /// GPS_IMU as main IMU.
     #[wire(spec = "GPS_IMU_MAIN")]
@@ -99,23 +99,21 @@ pub enum CanDeviceId {
     #[wire(spec = "CAN_DRV7")]
     Drv7 = 23,
     /// Main IMU, of an older kind.
-    #[wire(spec = "CAN_IMU_MAIN_OLD")]
     ImuMainOld = 28,
     /// Frame IMU, of an older kind.
-    #[wire(spec = "CAN_IMU_FRAME_OLD")]
     ImuFrameOld = 29,
 }
 
-/// Asks for the versions of the modules on the CAN bus.
+/// Requests the versions of the modules on the CAN bus.
 ///
 /// The board must have [`BoardFeatures::CAN_PORT`](crate::commands::BoardFeatures::CAN_PORT).
 #[message(CMD_MODULE_LIST, outgoing, size = 0, answer = ModuleList)]
-pub struct ModuleListRequest {}
+pub struct ModuleListRequest;
 
 /// The versions of the modules on the CAN bus.
 #[message(CMD_MODULE_LIST, incoming, size = 1..=248)]
 pub struct ModuleList {
-    /// The modules; those with id 0 are none.
+    /// Modules; entries with id 0 are unused.
     #[wire(group, counted_by = "DEVICE_NUM")]
     pub devices: List<CanModule, 19>,
 }
@@ -124,7 +122,7 @@ pub struct ModuleList {
 #[record(size = 13)]
 #[derive(Copy)]
 pub struct CanModule {
-    /// Which module.
+    /// Module the command applies to.
     pub id: CanModuleId,
     /// Version of its hardware.
     pub board_ver: ModuleVersion,
@@ -138,13 +136,11 @@ pub struct CanModule {
 /// A module on the CAN bus, by its place in the list of modules. Spec: `CAN_MODULE_ID`.
 ///
 /// Ids up to 17 are accepted; those after 13 have no names.
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "CAN_")]
 pub enum CanModuleId {
     /// Main IMU.
-    #[wire(spec = "CAN_IMU_MAIN")]
     ImuMain = 1,
     /// Frame IMU.
-    #[wire(spec = "CAN_IMU_FRAME")]
     ImuFrame = 2,
     /// Motor driver 1.
     #[wire(spec = "CAN_DRV1")]
@@ -171,7 +167,6 @@ pub enum CanModuleId {
     #[wire(spec = "GPS_IMU")]
     GpsImu = 10,
     /// Hub with satellite navigation.
-    #[wire(spec = "CAN_HUB_GNSS")]
     HubGnss = 11,
     /// Hub 1.
     #[wire(spec = "CAN_HUB1")]
@@ -181,31 +176,31 @@ pub enum CanModuleId {
     Hub2 = 13,
 }
 
-/// Starts to write the firmware of a module.
+/// Starts flashing a module.
 ///
 /// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_START, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashStart {
-    /// Which module.
+    /// Module the command applies to.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
     /// Size of the firmware in words of 32 bits.
     pub firmware_size: u32,
 }
 
-/// Writes a piece of the firmware of a module.
+/// Writes a piece of module firmware.
 ///
 /// Published in the vendor's Python library only.
 ///
-/// Wait for the confirmation of each. The data of an error has the device and the packet, 2 bytes each.
+/// Wait for the confirmation of each piece. The data of an error holds the device and the packet, 2 bytes each.
 #[message(CMD_MODULE_FLASH_WRITE, outgoing, size = 14..=138, answer = Confirm)]
 pub struct ModuleFlashWrite<'a> {
-    /// Which module.
+    /// Module the command applies to.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
-    /// Number of the piece: from 0 on, and 0 again after 255.
+    /// Number of the piece, from 0, wrapping after 255.
     pub packet_id: u8,
-    /// Where in the file it stands, a multiple of 4.
+    /// Offset of the piece in the file, a multiple of 4.
     #[wire(unit = "byte")]
     pub address: u32,
     /// CRC-32 of the data, that of ISO-HDLC.
@@ -214,12 +209,12 @@ pub struct ModuleFlashWrite<'a> {
     pub data: &'a [u8],
 }
 
-/// Ends writing the firmware of a module.
+/// Ends flashing a module.
 ///
 /// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_FINISH, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashFinish {
-    /// Which module.
+    /// Module the command applies to.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
     /// CRC-32 of the whole file, that of ISO-HDLC.

@@ -1,14 +1,13 @@
-//! What motor drivers on the CAN bus report.
+//! Telemetry of motor drivers on the CAN bus.
 
 use sbgc_proto_macros::message;
 
-use self::CanDrvTelemetryFlags as Flags;
-use super::realtime::decode_view;
 use crate::DecodeError;
-use crate::wire::{FromWire, Layout, flags};
+use crate::commands::selection::{decode_view, payload_len};
+use crate::declare::flags;
 
 flags! {
-    /// What telemetry of a CAN motor driver holds. Spec: `CAN_DRV_TELEMETRY_FLAGS`.
+    /// Selection of telemetry fields of a CAN motor driver. Spec: `CAN_DRV_TELEMETRY_FLAGS`.
     pub struct CanDrvTelemetryFlags: u32 {
         /// State of the CAN bus.
         const CAN_BUS_FLAGS = 1 << 0;
@@ -18,9 +17,9 @@ flags! {
         const TEMP_BOARD = 1 << 2;
         /// Temperature of the motor.
         const TEMP_MOTOR = 1 << 3;
-        /// Current that the driver takes.
+        /// Supply current of the driver.
         const AVG_CURRENT = 1 << 4;
-        /// Voltage that the driver gets.
+        /// Supply voltage of the driver.
         const BUS_VOLTAGE = 1 << 5;
         /// Levels of its pins.
         const PIN_STATE = 1 << 6;
@@ -28,7 +27,7 @@ flags! {
         const PHASE_CURRENT = 1 << 7;
         /// Errors of the encoder.
         const ENCODER_ERROR_CNT = 1 << 8;
-        /// Currents along the rotor and across.
+        /// Currents along (d) and across (q) the rotor.
         const IQ_ID_CURRENT = 1 << 9;
         /// Speed of the motor.
         const MOTOR_SPEED = 1 << 10;
@@ -36,7 +35,7 @@ flags! {
         const PID_POS_ERR = 1 << 11;
         /// Error of the speed loop.
         const PID_SPEED_ERR = 1 << 12;
-        /// Current that the loops ask for.
+        /// Current set-point.
         const IQ_REF = 1 << 13;
         /// Error of the current loop.
         const PID_CURRENT_ERR = 1 << 14;
@@ -44,99 +43,97 @@ flags! {
 }
 
 impl CanDrvTelemetryFlags {
-    /// How many bytes a message has: those of [`CanDrvTelemetry`] with these flags.
+    /// Number of payload bytes of a [`CanDrvTelemetry`] with these flags.
     pub fn payload_len(self) -> usize {
-        const ZEROS: &[u8] = &[0; <CanDrvTelemetry as Layout>::MAX_LEN];
-        let rest = CanDrvTelemetry::read(ZEROS, self).map_or(0, |(rest, _)| rest.len());
-        ZEROS.len() - rest
+        payload_len::<CanDrvTelemetry, _>(self)
     }
 }
 
 /// Telemetry of a motor driver on the CAN bus, sent as a data stream only.
 ///
-/// The message does not say what it holds: read it with the flags of the stream. The fields that were not chosen are
-/// `None`. The widths of the fields are those that a third-party library
+/// The message does not identify its fields: decode it with the flags of the stream. Fields not selected are
+/// `None`. The field widths are those that a third-party library
 /// takes from a newer specification.
 #[message(
     CMD_CAN_DRV_TELEMETRY, incoming, size = 3..=35, since = "2.72b0", context(selection: CanDrvTelemetryFlags)
 )]
 #[derive(Copy)]
 pub struct CanDrvTelemetry {
-    /// Which driver.
+    /// Driver number.
     #[wire(range = 0..=6)]
     pub drv_id: u8,
-    /// The board's time, which starts again after 65535.
+    /// Time stamp of the board, wrapping after 65535.
     #[wire(unit = "ms")]
     pub timestamp_ms: u16,
     /// State of the CAN bus; its flags are not published.
-    #[wire(when = selection.contains(Flags::CAN_BUS_FLAGS))]
+    #[wire(flag = CAN_BUS_FLAGS)]
     pub can_bus_flags: Option<u8>,
     /// Errors of the CAN bus.
-    #[wire(when = selection.contains(Flags::CAN_BUS_ERR_CNT))]
+    #[wire(flag = CAN_BUS_ERR_CNT)]
     pub can_bus_err_cnt: Option<u16>,
     /// Temperature of the board.
-    #[wire(when = selection.contains(Flags::TEMP_BOARD), unit = "degC")]
+    #[wire(flag = TEMP_BOARD, unit = "degC")]
     pub temp_board: Option<i8>,
     /// Temperature of the motor.
-    #[wire(when = selection.contains(Flags::TEMP_MOTOR), unit = "degC")]
+    #[wire(flag = TEMP_MOTOR, unit = "degC")]
     pub temp_motor: Option<i8>,
-    /// Current that the driver takes, averaged.
-    #[wire(when = selection.contains(Flags::AVG_CURRENT), unit = "mA")]
+    /// Average supply current of the driver.
+    #[wire(flag = AVG_CURRENT, unit = "mA")]
     pub avg_current: Option<u16>,
-    /// Voltage that the driver gets.
-    #[wire(when = selection.contains(Flags::BUS_VOLTAGE), unit = "mV")]
+    /// Supply voltage of the driver.
+    #[wire(flag = BUS_VOLTAGE, unit = "mV")]
     pub bus_voltage: Option<u16>,
     /// Levels of its pins.
-    #[wire(when = selection.contains(Flags::PIN_STATE))]
+    #[wire(flag = PIN_STATE)]
     pub pin_state: Option<CanDrvPins>,
     /// Current of each phase.
-    #[wire(when = selection.contains(Flags::PHASE_CURRENT), unit = "mA")]
+    #[wire(flag = PHASE_CURRENT, unit = "mA")]
     pub phase_current: Option<[i16; 3]>,
     /// Errors of the encoder.
-    #[wire(when = selection.contains(Flags::ENCODER_ERROR_CNT))]
+    #[wire(flag = ENCODER_ERROR_CNT)]
     pub encoder_error_cnt: Option<u16>,
-    /// Current across the rotor, which makes torque.
-    #[wire(when = selection.contains(Flags::IQ_ID_CURRENT), unit = "mA")]
+    /// Current across the rotor (q), which produces torque.
+    #[wire(flag = IQ_ID_CURRENT, unit = "mA")]
     pub iq_current: Option<i16>,
-    /// Current along the rotor.
-    #[wire(when = selection.contains(Flags::IQ_ID_CURRENT), unit = "mA")]
+    /// Current along the rotor (d).
+    #[wire(flag = IQ_ID_CURRENT, unit = "mA")]
     pub id_current: Option<i16>,
     /// Speed of the motor.
-    #[wire(when = selection.contains(Flags::MOTOR_SPEED), unit = "rpm")]
+    #[wire(flag = MOTOR_SPEED, unit = "rpm")]
     pub motor_speed: Option<i16>,
     /// Error of the position loop.
-    #[wire(when = selection.contains(Flags::PID_POS_ERR))]
+    #[wire(flag = PID_POS_ERR)]
     pub pid_pos_err: Option<i16>,
     /// Error of the speed loop.
-    #[wire(when = selection.contains(Flags::PID_SPEED_ERR))]
+    #[wire(flag = PID_SPEED_ERR)]
     pub pid_speed_err: Option<i16>,
-    /// Current that the loops ask for; 32768 would be all there is.
-    #[wire(when = selection.contains(Flags::IQ_REF))]
+    /// Current set-point; 32768 is 100 %.
+    #[wire(flag = IQ_REF)]
     pub iq_ref: Option<i16>,
     /// Error of the current loop.
-    #[wire(when = selection.contains(Flags::PID_CURRENT_ERR))]
+    #[wire(flag = PID_CURRENT_ERR)]
     pub pid_current_err: Option<i16>,
 }
 
-/// Telemetry of a motor driver on the CAN bus, of which the choice is not known.
+/// Undecoded telemetry of a motor driver (selection flags unknown).
 #[message(CMD_CAN_DRV_TELEMETRY, incoming, size = 3..=255, since = "2.72b0")]
 #[derive(Copy)]
 pub struct CanDrvTelemetryView<'a> {
-    /// Which driver.
+    /// Driver number.
     #[wire(range = 0..=6)]
     pub drv_id: u8,
-    /// The board's time, which starts again after 65535.
+    /// Time stamp of the board, wrapping after 65535.
     #[wire(unit = "ms")]
     pub timestamp_ms: u16,
-    /// The chosen data.
+    /// Undecoded selected data.
     pub body: &'a [u8],
 }
 
 impl CanDrvTelemetryView<'_> {
-    /// Reads the data that `flags` choose.
+    /// Decodes the data that `flags` select.
     ///
     /// # Errors
-    /// When it has less than that.
+    /// If it has less than that.
     pub fn decode_as(&self, flags: CanDrvTelemetryFlags) -> Result<CanDrvTelemetry, DecodeError> {
         decode_view(self, flags)
     }
@@ -166,6 +163,7 @@ flags! {
 
 #[cfg(test)]
 mod tests {
+    use super::CanDrvTelemetryFlags as Flags;
     use super::*;
     use crate::Message;
 

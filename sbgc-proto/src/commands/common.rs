@@ -1,8 +1,7 @@
 //! Values that several topics share.
 
+use crate::declare::{bit_enums, bit_fields};
 use sbgc_proto_macros::open_enum;
-
-use crate::wire::{bit_enums, bit_fields};
 
 /// Off or on. Spec: `NO_YES`.
 #[open_enum(u8)]
@@ -16,7 +15,7 @@ pub enum Switch {
 }
 bit_enums!(Switch);
 
-/// Which profile of parameters. Spec: `PROFILE_ID`.
+/// Parameter profile. Spec: `PROFILE_ID`.
 #[open_enum(u8)]
 pub enum ProfileId {
     /// The first.
@@ -53,21 +52,19 @@ pub enum Axis {
     Yaw = 2,
 }
 
-/// Which inertial measurement unit, counted from 1. Spec: `IMU_TYPE`.
+/// IMU, counted from 1. Spec: `IMU_TYPE`.
 ///
 /// A few commands count otherwise: see [`ImuIndex`](super::ImuIndex) and [`CalibImu`](super::CalibImu).
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "IMU_TYPE_")]
 pub enum ImuType {
-    /// The one on the camera platform.
-    #[wire(spec = "IMU_TYPE_MAIN")]
+    /// IMU on the camera platform.
     Main = 1,
-    /// The one on the frame.
-    #[wire(spec = "IMU_TYPE_FRAME")]
+    /// IMU on the frame.
     Frame = 2,
 }
 
 bit_fields! {
-    /// Where a signal comes from: a kind of input and the number of its channel. All bits zero: from nowhere.
+    /// Signal source: a kind of input and a channel number. Zero means not assigned.
     ///
     /// ```
     /// use sbgc_proto::commands::{RcSource, RcSourceKind};
@@ -110,14 +107,14 @@ impl RcSource {
     pub const RC_SERIAL_CH: Self = Self(64);
     /// Virtual channels 1 to 31, set by `CMD_API_VIRT_CH_CONTROL`.
     pub const API_VIRT_CH: Self = Self(128);
-    /// Step signals 1 to 6, firmware 2.66 and later.
+    /// Step signals 1 to 6, firmware 2.66+.
     pub const STEP_SIGNAL_CH: Self = Self(160);
 }
 
-/// What kind of input a signal comes from: bits 5 to 7 of a signal source.
+/// Kind of input of a signal: bits 5 to 7 of a signal source.
 #[open_enum(u8)]
 pub enum RcSourceKind {
-    /// PWM, channels 1 to 5; channel 0 is no input.
+    /// PWM, channels 1 to 5; channel 0 means not assigned.
     Pwm = 0,
     /// Analog, channels 1 to 3, on some boards 4.
     Analog = 1,

@@ -3,18 +3,18 @@
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::commands::Confirm;
-use crate::wire::{bit_enums, bit_fields};
+use crate::declare::{bit_enums, bit_fields};
 
 /// Writes to a register of a device.
 ///
 /// The board confirms when that succeeded.
 #[message(CMD_I2C_WRITE_REG_BUF, outgoing, size = 2..=255, answer = Confirm)]
 pub struct I2cWriteRegBuf<'a> {
-    /// Which device.
+    /// Target device.
     pub device_addr: I2cDevice,
     /// The register to write.
     pub reg_addr: u8,
-    /// What to write. The vendor's library sends 1 to 240 bytes.
+    /// Data to write. The vendor's library sends 1 to 240 bytes.
     pub data: &'a [u8],
 }
 
@@ -23,19 +23,19 @@ pub struct I2cWriteRegBuf<'a> {
 /// The board answers when that succeeded.
 #[message(CMD_I2C_READ_REG_BUF, outgoing, size = 3, answer = I2cReadRegBuf<'answer>)]
 pub struct I2cReadRegBufRequest {
-    /// Which device.
+    /// Target device.
     pub device_addr: I2cDevice,
     /// The register to read.
     pub reg_addr: u8,
-    /// How many bytes to read.
+    /// Number of bytes to read.
     #[wire(unit = "byte", range = 1..=255)]
     pub data_len: u8,
 }
 
-/// What was read from a register of a device.
+/// Data read from a register of an I2C device.
 #[message(CMD_I2C_READ_REG_BUF, incoming, size = 1..=255)]
 pub struct I2cReadRegBuf<'a> {
-    /// As many bytes as were asked for.
+    /// Data, in the requested size.
     pub data: &'a [u8],
 }
 
@@ -49,7 +49,7 @@ bit_fields! {
     /// ```
     pub struct I2cDevice: u8 {
         /// The bus.
-        0..=0 => port / with_port "PORT": I2cPort,
+        0 => port / with_port "PORT": I2cPort,
         /// The device's address of seven bits.
         1..=7 => address / with_address "ADDRESS": u8,
     }

@@ -1,16 +1,19 @@
-//! Every payload of the protocol, one file a topic.
+//! Every payload of the protocol, one file per topic.
 //!
 //! # Names
 //! A message is named after its command: `CMD_X` becomes `X` in CamelCase. Where a command has its answer under the
-//! same id, the answer has the plain name and the request is `XRequest`; only the requests that the spec calls READ or
-//! GET keep the verb: `ReadParams3` is answered by `Params3`, `GetAngles` by `Angles`. Forms other than the usual one
-//! say so at the end: `ControlLegacy`. A struct that stands inside messages is a `record`.
+//! same id, the answer has the plain name and the request is `XRequest`; only requests that the spec calls READ or GET
+//! keep the verb: `ReadParams3` is answered by `Params3`, `GetAngles` by `Angles`. Forms other than the usual one add a
+//! suffix: `ControlLegacy`. A struct used inside messages is a `record`.
 //!
 //! # Declarations
-//! Each payload is declared once, with [`sbgc_proto_macros::message`], and everything else follows from that. Fields
-//! have the spec's names in lower case. What a number means is in its type: quantities of [`units`](crate::units), open
-//! enumerations, flag sets and bit fields; only plain numbers have a `unit` or `range` of their own. Reserved bytes are
-//! [`Reserved`](crate::wire::Reserved); those that newer firmware has put to use are typed fields with a `since`.
+//! Each payload is declared once, with the attribute `message` of `sbgc-proto-macros`, and everything else follows from
+//! that. Fields have the spec's names in lower case. The meaning of a number is in its type: quantities of
+//! [`units`](crate::units), open enumerations, flag sets and bit fields; only plain numbers have a `unit` or `range` of
+//! their own. Reserved bytes are [`Reserved`](crate::wire::Reserved); those that newer firmware uses are typed fields
+//! with a `since`.
+//!
+#![doc = include_str!("table.md")]
 
 mod actions;
 mod adjustable;
@@ -25,11 +28,11 @@ mod debug;
 mod ext_motors;
 mod i2c;
 mod imu;
-mod packed_quaternion;
 mod params;
 mod rc_inputs;
 mod realtime;
 mod scripts;
+mod selection;
 mod storage;
 mod streams;
 mod system;
@@ -49,7 +52,6 @@ pub use debug::*;
 pub use ext_motors::*;
 pub use i2c::*;
 pub use imu::*;
-pub use packed_quaternion::*;
 pub use params::*;
 pub use rc_inputs::*;
 pub use realtime::*;

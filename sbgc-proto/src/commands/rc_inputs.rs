@@ -3,19 +3,20 @@
 use sbgc_proto_macros::message;
 
 use crate::commands::RcSource;
+use crate::declare::flags;
 use crate::units::RcSignal;
-use crate::wire::{List, flags};
+use crate::wire::List;
 
-/// Asks for the signals of some inputs.
+/// Requests the signals of some inputs.
 #[message(CMD_READ_RC_INPUTS, outgoing, size = 3..=129, answer = RcInputs)]
 pub struct ReadRcInputs {
-    /// How to read them.
+    /// Options for reading the inputs.
     pub cfg_flags: RcInputsFlags,
     /// The inputs. At most 127 fit the answer; the vendor's libraries stop at 42.
     pub rc_src: List<RcSource, 127>,
 }
 
-/// Signals of the inputs that were asked for.
+/// Signals of the requested inputs.
 #[message(CMD_READ_RC_INPUTS, incoming, size = 2..=254)]
 pub struct RcInputs {
     /// The signals, in the order of the request.
@@ -26,7 +27,7 @@ pub struct RcInputs {
 }
 
 flags! {
-    /// How inputs are read. Spec: `RC_INPUTS_CFG`.
+    /// Options for reading inputs. Spec: `RC_INPUTS_CFG`.
     pub struct RcInputsFlags: u16 {
         /// Try to start an input that the controller has not used so far.
         const INIT_IF_UNUSED = 1 << 0;

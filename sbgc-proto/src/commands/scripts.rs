@@ -9,19 +9,19 @@ use crate::wire::Reserved;
 ///
 /// Only boards with the feature `BOARD_FEATURE_SCRIPTING` can.
 ///
-/// Whether the board confirms is not settled: the specification does not say, and the vendor's libraries wait for
+/// Whether the board confirms is unknown: the specification does not say, and the vendor's libraries wait for
 /// nothing. Take a `CMD_CONFIRM` if it comes, and do not depend on it.
 #[message(CMD_RUN_SCRIPT, outgoing, size = 34)]
 pub struct RunScript {
-    /// What to do.
+    /// Action to perform.
     pub mode: RunScriptMode,
-    /// Which script, counted from 0. Firmware 2.6x has five slots, newer firmware ten.
+    /// Script slot, counted from 0. Firmware 2.6x has five slots, newer firmware ten.
     #[wire(range = 0..=9)]
     pub slot: u8,
     pub reserved: Reserved<32>,
 }
 
-/// How far a script is that was started with [`RunScriptMode::StartWithDebug`].
+/// Progress of a script started with [`RunScriptMode::StartWithDebug`].
 #[message(CMD_SCRIPT_DEBUG, incoming, size = 3)]
 pub struct ScriptDebug {
     /// The number of the command that the script is at.
@@ -31,7 +31,7 @@ pub struct ScriptDebug {
     pub err_code: FsErrorCode,
 }
 
-/// What to do with a script. Spec: `RUN_SCRIPT_MODE`.
+/// Starts or stops a script. Spec: `RUN_SCRIPT_MODE`.
 #[open_enum(u8)]
 pub enum RunScriptMode {
     /// Stop it.

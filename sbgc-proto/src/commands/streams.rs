@@ -7,16 +7,17 @@ use crate::commands::{
     CanDrvTelemetryFlags, Confirm, ExtMotors, ExtMotorsStateDataSet, ImuIndex, RealtimeDataCustom2Flags,
     RealtimeDataCustomFlags, Switch,
 };
+use crate::declare::flags;
 use crate::units::StreamInterval;
-use crate::wire::{Bytes, Reserved, flags};
+use crate::wire::{Bytes, Reserved};
 
-/// Makes the board send a message at a fixed rate or on events.
+/// Registers, changes or ends a data stream: a message sent at a fixed rate or on events.
 ///
 /// Each port has its own streams, one for each command and configuration, and there are at most ten over all ports. The
 /// same command and configuration again change the stream's interval, and an interval of 0 ends it. When the port or
 /// its buffer is too slow, samples are left out. The board confirms that a stream was registered or changed.
 ///
-/// Nothing is stored: register again after a restart of the board.
+/// Registrations are not stored: register again after a restart of the board.
 ///
 /// ```
 /// use sbgc_proto::commands::{DataStreamInterval, RealtimeDataCustomFlags, StreamSource};
@@ -29,47 +30,47 @@ use crate::wire::{Bytes, Reserved, flags};
 #[message(CMD_DATA_STREAM_INTERVAL, outgoing, size = 21, since = "2.60", answer = Confirm)]
 #[derive(Copy)]
 pub struct DataStreamInterval {
-    /// The command that the board shall send; [`StreamSource`] has those that it can.
+    /// Command to send; [`StreamSource`] lists those that can be streamed.
     pub cmd_id: CommandId,
-    /// Time between two messages, kept to ±1 ms and exact on average.
+    /// Interval between messages, kept to ±1 ms and exact on average.
     ///
     /// An event is sent when it happens, with any interval but 0; the interval is that between messages as long as
     /// something is held.
     pub interval_ms: StreamInterval,
-    /// What the message shall hold; how it is laid out depends on the command.
+    /// Configuration of the stream; its layout depends on the command.
     pub config: StreamConfig,
-    /// Sends in step with the IMU's samples; the interval is then their number between two messages.
+    /// Synchronizes the stream with the IMU samples; the interval is then a number of samples.
     #[wire(since = "2.70b1")]
     pub sync_to_data: Switch,
     pub reserved: Reserved<9>,
 }
 
 impl DataStreamInterval {
-    /// Makes the board send what `source` says.
+    /// Registers `source`.
     pub fn new(source: StreamSource, interval_ms: StreamInterval) -> Self {
         Self { cmd_id: source.cmd_id(), interval_ms, config: source.config(), ..Self::default() }
     }
 
-    /// Whether both registrations are of one stream on the same port: the second changes the first or ends it.
+    /// Whether both registrations name the same stream on one port, so that the second changes or ends the first.
     ///
-    /// Streams are told apart by the command and all bytes of the configuration.
+    /// Streams are distinguished by the command and all bytes of the configuration.
     pub fn is_same_stream(&self, other: &Self) -> bool {
         (self.cmd_id, self.config) == (other.cmd_id, other.config)
     }
 
-    /// The message that ends this stream.
+    /// Returns the message that ends this stream.
     #[must_use]
     pub fn to_stop(&self) -> Self {
         Self { cmd_id: self.cmd_id, config: self.config, ..Self::default() }
     }
 
-    /// What the board shall send; `None` where the command is none that can be a stream.
+    /// Stream source; `None` if the command cannot be streamed.
     pub fn source(&self) -> Option<StreamSource> {
-        StreamSource::of(self.cmd_id, self.config)
+        StreamSource::from_config(self.cmd_id, self.config)
     }
 }
 
-/// Configuration of a data stream. All of its bytes, also those that its command does not use, tell streams apart.
+/// Configuration of a data stream. All bytes, including those that the command does not use, distinguish streams.
 #[record(size = 8)]
 #[derive(Copy, Hash)]
 pub struct StreamConfig(pub Bytes<8>);
@@ -82,7 +83,7 @@ impl StreamConfig {
     }
 }
 
-/// What a data stream consists of: a command, with the configuration as the command means it.
+/// Source of a data stream: a command and its typed configuration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -97,37 +98,37 @@ pub enum StreamSource {
     /// [`AhrsHelper`](super::AhrsHelper) of this IMU. It counts from 0, as the specification has it;
     /// some libraries count from 1.
     AhrsHelper(ImuIndex),
-    /// [`Event`]; firmware 2.65b7 and later.
+    /// [`Event`]; firmware 2.65b7+.
     Event {
-        /// Which kind.
+        /// Event kind.
         event_id: EventId,
-        /// What of it is reported.
+        /// Event phases to report.
         event_type: EventTypes,
     },
-    /// [`CanDrvTelemetry`](super::CanDrvTelemetry) with these flags; firmware 2.72b0 and later, extended family of
+    /// [`CanDrvTelemetry`](super::CanDrvTelemetry) with these flags; firmware 2.72b0+, extended family of
     /// boards.
     CanDrvTelemetry {
-        /// What the messages hold.
+        /// Flags that select the fields of the messages.
         flags: CanDrvTelemetryFlags,
         /// Which driver. Whether it is a number from 0 to 6, as in the message itself, or a set of bits is not
         /// settled.
         drv_id: u8,
     },
-    /// [`ExtMotorsState`](super::ExtMotorsState) of these motors; firmware 2.73 and later.
+    /// [`ExtMotorsState`](super::ExtMotorsState) of these motors; firmware 2.73+.
     ExtMotorsState {
-        /// Which motors.
+        /// Motors the command applies to.
         for_motors: ExtMotors,
-        /// What the messages hold.
+        /// Flags that select the fields of the messages.
         data_set: ExtMotorsStateDataSet,
     },
-    /// [`RealtimeDataCustom2`](super::RealtimeDataCustom2) with these flags; firmware 2.74.2 and later.
+    /// [`RealtimeDataCustom2`](super::RealtimeDataCustom2) with these flags; firmware 2.74.2+.
     RealtimeDataCustom2(RealtimeDataCustom2Flags),
 }
 
 impl StreamSource {
-    /// What `cmd_id` and `config` mean; `None` where the command is none that can be a stream. Bytes of the
+    /// Interprets a command id and configuration; `None` if the command cannot be streamed. Bytes of the
     /// configuration that the command does not use are passed over.
-    pub fn of(cmd_id: CommandId, config: StreamConfig) -> Option<Self> {
+    pub fn from_config(cmd_id: CommandId, config: StreamConfig) -> Option<Self> {
         let [first, second, third, fourth, fifth, ..] = config.0.0;
         let flags = u32::from_le_bytes([first, second, third, fourth]);
         Some(match cmd_id {
@@ -156,7 +157,7 @@ impl StreamSource {
         })
     }
 
-    /// The command that the board sends.
+    /// Command that the board sends.
     pub fn cmd_id(self) -> CommandId {
         match self {
             Self::RealtimeData3 => CommandId::RealtimeData3,
@@ -172,7 +173,7 @@ impl StreamSource {
 
     /// Number of payload bytes of each message; `None` where it varies.
     ///
-    /// It is all that tells messages of two streams with the same command and other flags apart.
+    /// Only the length distinguishes messages of two streams of one command with different flags.
     pub fn payload_len(self) -> Option<usize> {
         match self {
             Self::RealtimeDataCustom(flags) => Some(flags.payload_len()),
@@ -182,7 +183,7 @@ impl StreamSource {
         }
     }
 
-    /// The configuration as it stands on the wire.
+    /// Configuration as on the wire.
     pub fn config(self) -> StreamConfig {
         match self {
             Self::RealtimeData3 | Self::RealtimeData4 => StreamConfig::default(),
@@ -202,57 +203,53 @@ impl StreamSource {
     }
 }
 
-/// Something happened.
+/// Reports an event.
 ///
-/// Sent only to ports that asked for it by [`DataStreamInterval`].
+/// Sent only to ports that registered it with [`DataStreamInterval`].
 #[message(CMD_EVENT, incoming, size = 4..=255, since = "2.65")]
 #[derive(Copy)]
 pub struct Event<'a> {
-    /// What.
+    /// Event kind.
     pub event_id: EventId,
-    /// How. The camera gives these bits other names.
+    /// Event phase. With the camera these bits have other names.
     pub event_type: EventTypes,
-    /// More about it.
+    /// Event parameter.
     ///
-    /// Of a menu button that is held or released: for how many milliseconds it was held. Of a script: its slot,
+    /// For a menu button held or released: the holding time in milliseconds. For a script: its slot,
     /// counted from 0.
     pub param1: u16,
     /// Parameters that future firmware may add.
     pub extra: &'a [u8],
 }
 
-/// What happened. Spec: `EVENT_ID`.
-#[open_enum(u8)]
+/// Event kind. Spec: `EVENT_ID`.
+#[open_enum(u8, prefix = "EVENT_ID_")]
 pub enum EventId {
-    /// The menu button is released, pressed or held.
-    #[wire(spec = "EVENT_ID_MENU_BUTTON")]
+    /// Menu button released, pressed or held.
     MenuButton = 1,
-    /// The motors went off or on.
-    #[wire(spec = "EVENT_ID_MOTOR_STATE")]
+    /// Motors turned off or on.
     MotorState = 2,
     /// An emergency stop ended or began.
-    #[wire(spec = "EVENT_ID_EMERGENCY_STOP")]
     EmergencyStop = 3,
     /// The menu command "Camera Rec/Photo event" or "Camera photo event".
-    #[wire(spec = "EVENT_ID_CAMERA")]
     Camera = 4,
     /// A script finished or started.
-    #[wire(spec = "EVENT_ID_SCRIPT", since = "2.68b8")]
+    #[wire(since = "2.68b8")]
     Script = 5,
     /// The retracted position was left or taken.
-    #[wire(spec = "EVENT_ID_RETRACTED_POSITION", since = "2.73.1")]
+    #[wire(since = "2.73.1")]
     RetractedPosition = 6,
 }
 
 flags! {
-    /// How it happened: one bit in an event, any of them in a stream. Spec: `EVENT_TYPE`.
-    pub struct EventTypes: u8 {
-        /// It ended: released, off. With the camera it is [`REC_PHOTO`](Self::REC_PHOTO).
-        const OFF "EVENT_TYPE_OFF" = 1 << 0;
-        /// It began: pressed, on. With the camera it is [`PHOTO`](Self::PHOTO).
-        const ON "EVENT_TYPE_ON" = 1 << 1;
-        /// It goes on: held.
-        const HOLD "EVENT_TYPE_HOLD" = 1 << 2;
+    /// Event phase: one bit in an event, any combination in a stream. Spec: `EVENT_TYPE`.
+    pub struct EventTypes: u8, prefix "EVENT_TYPE_" {
+        /// End: released, off. With the camera it is [`REC_PHOTO`](Self::REC_PHOTO).
+        const OFF = 1 << 0;
+        /// Begin: pressed, on. With the camera it is [`PHOTO`](Self::PHOTO).
+        const ON = 1 << 1;
+        /// Continued: held.
+        const HOLD = 1 << 2;
     }
 }
 
@@ -291,7 +288,7 @@ mod tests {
             let request = DataStreamInterval::decode(&payload).unwrap();
             assert_eq!(request.encode(&mut [0; 21]), Ok(&payload[..]));
             if let Some(source) = request.source() {
-                assert_eq!(StreamSource::of(source.cmd_id(), source.config()), Some(source));
+                assert_eq!(StreamSource::from_config(source.cmd_id(), source.config()), Some(source));
                 let (used, kept) = (source.config().0.0, request.config.0.0);
                 assert!(used.into_iter().zip(kept).all(|(used, kept)| used == kept || used == 0));
             }

@@ -10,7 +10,7 @@ macro_rules! unpublished {
         #[message($command, outgoing, form = "undocumented", default, size = 0..=255)]
         #[derive(Copy)]
         pub struct $outgoing<'a> {
-            /// The payload.
+            /// Payload bytes.
             pub data: &'a [u8],
         }
 
@@ -18,7 +18,7 @@ macro_rules! unpublished {
         #[message($command, incoming, form = "undocumented", default, size = 0..=255)]
         #[derive(Copy)]
         pub struct $incoming<'a> {
-            /// The payload.
+            /// Payload bytes.
             pub data: &'a [u8],
         }
     )* };

@@ -3,8 +3,8 @@
 //! # The CRC without a table
 //! The polynomial of version 2 is `x^16 + x^15 + x^2 + 1 = (x + 1) (x^15 + x + 1)`. Both factors are so sparse that
 //! shifts do the work of a table: modulo the first, a message is the parity of its bits; modulo the second, called Q
-//! below, `x^15 = x + 1`, and by squaring `x^30 = x^2 + 1`, `x^32 = x^4 + x^2`, … `x^960 = x^64 + 1`. So 4 bytes cost two
-//! shifts, and whole words of a long message move to where they weigh the same. At the end both remainders are put
+//! below, `x^15 = x + 1`, and by squaring `x^30 = x^2 + 1`, `x^32 = x^4 + x^2`, … `x^960 = x^64 + 1`. So 4 bytes cost
+//! two shifts, and whole words of a long message move to where they weigh the same. At the end both remainders are put
 //! together.
 //!
 //! That is faster than a table of 512 bytes on a microcontroller, as fast as one of 8 KiB on a computer, and takes no

@@ -1,9 +1,9 @@
 //! Fields by name (feature `reflect`): what a message's fields are, what they hold, and setting them by path.
 //!
 //! All of it follows from the declaration of the message. [`Describe::SHAPE`] is the description as constant data;
-//! [`Describe::walk`] visits the fields of a value in wire order; [`set`] sets one from text or numbers, checked against
-//! its documented range, and [`force`] to anything that the wire can hold. What is shown of a field sets it to the same
-//! again.
+//! [`Describe::walk`] visits the fields of a value in wire order; [`set`] sets one from text or numbers, checked
+//! against its documented range, and [`force`] to anything that the wire can hold. What is shown of a field sets it to
+//! the same again.
 //!
 //! A path names a field from the outside in: `rc_memory.yaw`, `axes.pitch.p`, `params[0].id`. The spec's names are
 //! understood too, in capitals or not.
@@ -24,13 +24,15 @@ mod number;
 mod parse;
 mod shape;
 mod walk;
+mod wire_types;
 
 pub use assign::{Assign, AssignError, Input, Steps, force, set};
 pub use bytes::{Plain, Quoted, hex_bytes, text_bytes};
 pub use number::{BitPart, Meaning, Number, NumberType, Scalar};
-pub use shape::{FieldInfo, MessageInfo, Presence, Shape};
+pub use shape::{FieldInfo, Presence, Shape};
 pub use walk::{Describe, Leaf, Path, Place, Raw, Visitor, walk};
 
 pub(crate) use assign::assign_payload;
 pub(crate) use number::reflect_number;
-pub(crate) use walk::{walk_elements, walk_payload};
+use walk::walk_elements;
+pub(crate) use walk::walk_payload;

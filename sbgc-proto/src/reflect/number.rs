@@ -92,7 +92,7 @@ pub struct BitPart {
     pub width: u32,
     /// Names of its values.
     pub labels: &'static [Label],
-    /// What it is.
+    /// Type of the device.
     pub doc: &'static str,
 }
 

@@ -1,55 +1,6 @@
-//! The description of a message as constant data.
+//! The description of fields as constant data.
 
-use core::ops::RangeInclusive;
-
-use super::{Describe, Number};
-use crate::{CommandId, Direction, Message};
-
-/// One declared message.
-#[derive(Clone, Debug)]
-pub struct MessageInfo {
-    /// The name of its type in [`commands`](crate::commands).
-    pub type_name: &'static str,
-    /// The command's id.
-    pub id: CommandId,
-    /// Which way it goes.
-    pub direction: Direction,
-    /// The spec's name of the command.
-    pub spec: &'static str,
-    /// The name of the form; `full` where there is one only.
-    pub form: &'static str,
-    /// Whether it is the form to build unless another is asked for; there is one for each command and direction.
-    pub is_default: bool,
-    /// The first firmware that knows it; empty when that is not known or the first of all.
-    pub since: &'static str,
-    /// What it is for, in a sentence.
-    pub summary: &'static str,
-    /// How many bytes the payload has.
-    pub size: RangeInclusive<usize>,
-    /// Whether a payload of so many bytes has this form.
-    pub accepts: fn(usize) -> bool,
-    /// Its fields.
-    pub shape: Shape,
-}
-
-impl MessageInfo {
-    /// The description of `M`, the type called `type_name`.
-    pub(crate) const fn of<M: Message + Describe>(type_name: &'static str) -> Self {
-        MessageInfo {
-            type_name,
-            id: M::ID,
-            direction: M::DIRECTION,
-            spec: M::SPEC,
-            form: M::FORM,
-            is_default: M::IS_DEFAULT,
-            since: M::SINCE,
-            summary: M::SUMMARY,
-            size: M::SIZE,
-            accepts: M::accepts,
-            shape: M::SHAPE,
-        }
-    }
-}
+use super::Number;
 
 /// One declared field.
 #[derive(Clone, Copy, Debug)]
@@ -119,7 +70,7 @@ pub enum Shape {
     },
     /// Text.
     Text {
-        /// The most bytes.
+        /// Maximum number of bytes.
         most: usize,
     },
     /// Fields one after the other.

@@ -5,7 +5,7 @@ use core::fmt;
 use super::quantity::steps;
 use crate::wire::U24;
 
-/// The raw angle of an encoder, in steps of 24 bits a turn.
+/// The raw angle of an encoder, in steps of 24 bits per turn.
 ///
 /// ```
 /// use sbgc_proto::units::EncoderAngle;
@@ -42,7 +42,7 @@ impl fmt::Display for EncoderAngle {
     }
 }
 
-crate::wire::number_type!(EncoderAngle: U24, read |raw| EncoderAngle(raw), raw |value| value.0);
+crate::declare::number_type!(EncoderAngle: U24, read |raw| EncoderAngle(raw), raw |value| value.0);
 
 #[cfg(feature = "reflect")]
 impl crate::reflect::NumberType for EncoderAngle {

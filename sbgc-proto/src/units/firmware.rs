@@ -18,7 +18,7 @@ use core::fmt;
 pub struct FirmwareVersion(pub u16);
 
 impl FirmwareVersion {
-    /// `major.minor`, with beta or patch number; the greatest version there is for what is beyond that, 65.53.5.
+    /// `major.minor`, with beta or patch number; the maximum version there is for what is beyond that, 65.53.5.
     pub const fn new(major: u16, minor: u16, last: u16) -> Self {
         Self(major.saturating_mul(1000).saturating_add(minor.saturating_mul(10)).saturating_add(last))
     }
@@ -78,7 +78,7 @@ impl core::str::FromStr for FirmwareVersion {
 #[cfg(feature = "serde")]
 crate::serde_support::shown!(FirmwareVersion(u16), "a version such as 2.68b7 or 2.73.5");
 
-crate::wire::number_type!(FirmwareVersion: u16, read |raw| FirmwareVersion(raw), raw |value| value.0);
+crate::declare::number_type!(FirmwareVersion: u16, read |raw| FirmwareVersion(raw), raw |value| value.0);
 
 #[cfg(feature = "reflect")]
 impl crate::reflect::NumberType for FirmwareVersion {

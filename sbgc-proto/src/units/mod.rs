@@ -12,36 +12,43 @@
 //! assert!(Angle::try_from_degrees(1000.0).is_err());
 //! ```
 
+mod curves;
 mod encoder;
 mod firmware;
+mod packed_quaternion;
 mod quantity;
 #[cfg(test)]
 mod tests;
 
+pub use curves::{
+    InverseQuality, PidGain, PidTerm, ServoFactor, ServoTerm, ShakeFrequency, ShakePause, ShakeRange,
+    ShakeResonance,
+};
 pub use encoder::EncoderAngle;
 pub use firmware::{FirmwareVersion, ParseVersionError};
+pub use packed_quaternion::PackedQuaternion;
 
 use quantity::quantities;
 
 quantities! {
-    /// An angle in steps of 14 bits a turn.
+    /// Angle in steps of 14 bits per turn.
     Angle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384;
 
-    /// An angle over many turns, in steps of 14 bits a turn.
+    /// Angle over many turns, in steps of 14 bits per turn.
     LongAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 16384;
 
-    /// An angle in steps of 20 bits a turn.
+    /// Angle in steps of 20 bits per turn.
     FineAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 1_048_576;
 
-    /// A distance to a limit, in steps of 14 bits a turn.
+    /// Distance to a limit, in steps of 14 bits per turn.
     LimitDistance(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
-        /// There is no limit, or it is not known.
+        /// No limit, or an unknown one.
         UNKNOWN = 32767;
     };
 
     /// The period of a curve of correction over a turn of the motor.
     CorrectionPeriod(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1, special {
-        /// The board finds it.
+        /// Determined by the board.
         AUTO = 0;
     };
 
@@ -51,58 +58,58 @@ quantities! {
         STOP_REFERENCE = 32767;
     };
 
-    /// A rate of turn as control commands have it: 0.1220740379 degrees a second.
+    /// Angular rate as used in control commands, in steps of 0.1220740379 degrees per second.
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767;
 
-    /// A limit of the rate of turn in the steps of control commands.
+    /// Limit of the angular rate, in the steps of control commands.
     ControlRateLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767;
 
-    /// A rate of turn as slow control commands have it: thousandths of a degree a second in 16 bits.
+    /// Angular rate in high-resolution control commands: thousandths of a degree per second in 16 bits.
     FineControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 1 / 1000;
 
-    /// A rate of turn as sensors have it: 0.06103701895 degrees a second.
+    /// Angular rate as reported by sensors, in steps of 0.06103701895 degrees per second.
     SensorRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 2000 / 32767;
 
-    /// A rate of turn in thousandths of a degree a second.
+    /// Angular rate in thousandths of a degree per second.
     FineRate(i32): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f64,
         "deg/s", 1 / 1000;
 
-    /// A rate of turn in millionths of a radian a second.
+    /// Angular rate in millionths of a radian per second.
     MicroRate(i32): radians_per_second / from_radians_per_second / try_from_radians_per_second -> f64,
         "rad/s", 1 / 1_000_000;
 
-    /// The greatest speed of an auxiliary motor.
+    /// Maximum speed of an auxiliary motor.
     MotorSpeedLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 2 / 1;
 
-    /// The greatest acceleration of an auxiliary motor.
+    /// Maximum acceleration of an auxiliary motor.
     MotorAccelerationLimit(u16): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2
         -> f32, "deg/s^2", 2 / 1;
 
     /// An acceleration as sensors have it.
     Acceleration(i16): g / from_g / try_from_g -> f32, "g", 1 / 512;
 
-    /// The greatest acceleration there was, in coarse steps.
+    /// Peak acceleration, in coarse steps.
     PeakAcceleration(u8): g / from_g / try_from_g -> f32, "g", 1 / 16;
 
-    /// A limit of angular acceleration in coarse steps; 0 is no limit.
+    /// Limit of angular acceleration in coarse steps; 0 disables it.
     AccelerationLimit(u8): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2 -> f32,
         "deg/s^2", 5 / 1;
 
     /// A voltage.
     Voltage(u16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
 
-    /// A voltage that switches something; negative switches that off.
+    /// Voltage threshold; a negative value disables it.
     VoltageThreshold(i16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
 
     /// An error of attitude.
     AttitudeError(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
 
-    /// How much the camera shakes.
+    /// Amplitude of the stabilization error.
     StabilizationError(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1000;
 
     /// The time between the messages of a data stream. 0 ends it, and the shortest is a cycle of the firmware, 0.8 ms.
@@ -118,7 +125,7 @@ quantities! {
 
     /// How long a calibration takes its samples.
     CalibrationTime(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
-        /// As long as the board thinks fit, about 4 s for the gyroscope.
+        /// Default of the board, about 4 s for the gyroscope.
         DEFAULT = 0;
     };
 
@@ -136,7 +143,7 @@ quantities! {
 
     /// A jerk slope: the time in which an acceleration builds up.
     JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1, special {
-        /// Leaves the present one as it is.
+        /// Leaves the current one unchanged.
         UNCHANGED = 0;
         /// Accelerations set in at once.
         OFF = 1;
@@ -150,15 +157,15 @@ quantities! {
 
     /// The signal of a radio control channel, -16384 to 16384.
     RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {
-        /// There is no signal.
+        /// No signal.
         UNDEFINED = -32768;
-        /// There is no signal, as older firmware has it in some messages.
+        /// No signal, in some messages of older firmware.
         UNDEFINED_OLD = -32767;
     };
 
     /// The signal of a radio control channel in coarse steps, -500 to 500 and slightly beyond.
     CoarseRcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 500, special {
-        /// There is no signal.
+        /// No signal.
         UNDEFINED = -10000;
     };
 
@@ -267,7 +274,7 @@ quantities! {
 }
 
 impl RcSignal {
-    /// The fraction of full scale, -1 to 1; `None` where there is no signal.
+    /// Fraction of full scale, -1 to 1; `None` if there is no signal.
     pub fn signal(self) -> Option<f32> {
         (self != Self::UNDEFINED && self != Self::UNDEFINED_OLD).then(|| self.fraction())
     }

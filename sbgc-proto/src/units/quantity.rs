@@ -51,16 +51,16 @@ macro_rules! quantities {
                     pub const $named: Self = Self($name_raw);
                 )*
 
-                /// The names that some values have besides being numbers.
+                /// Names of some values.
                 pub const NAMES: &'static [crate::wire::Label] = &[
                     $(crate::wire::Label {
                         value: $name_raw,
                         name: stringify!($named),
-                        doc: crate::wire::first_doc!($($name_doc)+),
+                        doc: crate::declare::first_doc!($($name_doc)+),
                     }),*
                 ];
 
-                /// The name that the value has besides, if any.
+                /// Name of the value, if it has one.
                 pub fn name(self) -> Option<&'static str> {
                     let label = Self::NAMES.iter().find(|label| label.value == i64::from(self.0))?;
                     Some(label.name)
@@ -107,7 +107,7 @@ macro_rules! quantities {
                 $($(crate::wire::Label {
                     value: $special_raw,
                     name: stringify!($special),
-                    doc: crate::wire::first_doc!($($special_doc)+),
+                    doc: crate::declare::first_doc!($($special_doc)+),
                 }),*)?
             ];
         }
@@ -119,7 +119,7 @@ macro_rules! quantities {
             }
         }
 
-        crate::wire::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
+        crate::declare::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
 
         #[cfg(feature = "reflect")]
         impl crate::reflect::NumberType for $name {

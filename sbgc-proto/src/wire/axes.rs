@@ -65,41 +65,6 @@ macro_rules! groups {
                 Ok(())
             }
         }
-
-        #[cfg(feature = "reflect")]
-        impl<T: crate::reflect::Describe> crate::reflect::Describe for $group<T> {
-            const SHAPE: crate::reflect::Shape = crate::reflect::Shape::Group {
-                names: &[$(stringify!($part)),*],
-                element: &T::SHAPE,
-            };
-
-            fn walk(
-                &self,
-                place: &crate::reflect::Place<'_>,
-                visitor: &mut dyn crate::reflect::Visitor,
-            ) -> usize {
-                let mut size = 0;
-                $(size += place.part(stringify!($part), size).walk(&self.$part, visitor);)*
-                size
-            }
-        }
-
-        #[cfg(feature = "reflect")]
-        impl<'a, T: crate::reflect::Assign<'a>> crate::reflect::Assign<'a> for $group<T> {
-            fn assign(
-                &mut self,
-                mut path: crate::reflect::Steps<'_>,
-                value: crate::reflect::Input<'a>,
-                field: &'static crate::reflect::FieldInfo,
-            ) -> Result<(), crate::reflect::AssignError> {
-                let mut parts = [$((stringify!($part), &mut self.$part)),*];
-                let index = path.next_of(&[$(stringify!($part)),*])?;
-                match parts.get_mut(index) {
-                    Some((_, part)) => part.assign(path, value, field),
-                    None => Err(crate::reflect::AssignError::NoParts),
-                }
-            }
-        }
     )* };
 }
 
@@ -157,29 +122,5 @@ impl<'a, T: FromWire<'a, C> + Default + Copy, C: Copy, const N: usize> FromWire<
 impl<T: ToWire<C>, C: Copy, const N: usize> ToWire<C> for [T; N] {
     fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError> {
         self.iter().try_for_each(|element| element.write(context, out))
-    }
-}
-
-#[cfg(feature = "reflect")]
-impl<T: crate::reflect::Describe, const N: usize> crate::reflect::Describe for [T; N] {
-    const SHAPE: crate::reflect::Shape = crate::reflect::Shape::Array { count: N, element: &T::SHAPE };
-
-    fn walk(&self, place: &crate::reflect::Place<'_>, visitor: &mut dyn crate::reflect::Visitor) -> usize {
-        crate::reflect::walk_elements(self, place, visitor)
-    }
-}
-
-#[cfg(feature = "reflect")]
-impl<'a, T: crate::reflect::Assign<'a>, const N: usize> crate::reflect::Assign<'a> for [T; N] {
-    fn assign(
-        &mut self,
-        mut path: crate::reflect::Steps<'_>,
-        value: crate::reflect::Input<'a>,
-        field: &'static crate::reflect::FieldInfo,
-    ) -> Result<(), crate::reflect::AssignError> {
-        match self.get_mut(path.next_index(N)?) {
-            Some(element) => element.assign(path, value, field),
-            None => Err(crate::reflect::AssignError::TooMany { most: N }),
-        }
     }
 }

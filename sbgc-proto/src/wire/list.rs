@@ -234,55 +234,11 @@ impl<T: ToWire<C>, C: Copy, const N: usize> ToWire<C> for List<T, N> {
     }
 }
 
-#[cfg(feature = "reflect")]
 impl<T: Default, const N: usize> List<T, N> {
-    /// Sets the count byte: elements are added or dropped at the end.
-    pub(crate) fn assign_count(
-        &mut self,
-        path: crate::reflect::Steps<'_>,
-        value: crate::reflect::Input<'_>,
-    ) -> Result<(), crate::reflect::AssignError> {
-        let mut count = 0_u8;
-        crate::reflect::Assign::assign(&mut count, path, value, &crate::reflect::FieldInfo::UNNAMED)?;
-        self.resize(usize::from(count))
-    }
-
-    fn resize(&mut self, count: usize) -> Result<(), crate::reflect::AssignError> {
-        if count > N {
-            return Err(crate::reflect::AssignError::TooMany { most: N });
-        }
+    /// Adds default elements or drops elements at the end, up to `count` elements and `N` at most.
+    #[cfg(feature = "reflect")]
+    pub(crate) fn resize(&mut self, count: usize) {
         self.0.truncate(count);
-        while self.0.len() < count {
-            let _ = self.0.push(T::default());
-        }
-        Ok(())
-    }
-}
-
-#[cfg(feature = "reflect")]
-impl<T: crate::reflect::Describe, const N: usize> crate::reflect::Describe for List<T, N> {
-    const SHAPE: crate::reflect::Shape = crate::reflect::Shape::List { most: N, element: &T::SHAPE };
-
-    fn walk(&self, place: &crate::reflect::Place<'_>, visitor: &mut dyn crate::reflect::Visitor) -> usize {
-        crate::reflect::walk_elements(&self.0, place, visitor)
-    }
-}
-
-#[cfg(feature = "reflect")]
-impl<'a, T: crate::reflect::Assign<'a> + Default, const N: usize> crate::reflect::Assign<'a> for List<T, N> {
-    fn assign(
-        &mut self,
-        mut path: crate::reflect::Steps<'_>,
-        value: crate::reflect::Input<'a>,
-        field: &'static crate::reflect::FieldInfo,
-    ) -> Result<(), crate::reflect::AssignError> {
-        // One more than there are: setting the first that is missing appends it.
-        let index = path.next_index(N.min(self.0.len().saturating_add(1)))?;
-        if let Some(element) = self.0.get_mut(index) {
-            return element.assign(path, value, field);
-        }
-        let mut element = T::default();
-        element.assign(path, value, field)?;
-        self.0.push(element).map_err(|_| crate::reflect::AssignError::TooMany { most: N })
+        while self.0.len() < count && self.0.push(T::default()).is_ok() {}
     }
 }

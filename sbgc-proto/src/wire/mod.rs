@@ -1,7 +1,7 @@
 //! How one field becomes bytes and back: the vocabulary in which messages are declared.
 //!
 //! Here live the traits [`FromWire`], [`ToWire`] and [`Layout`], and the types that know nothing of gimbals: integers,
-//! floats, arrays, per-axis groups, lists, texts, reserved bytes, bit fields. Physical quantities are in
+//! floats, arrays, per-axis groups, lists, texts, reserved bytes. Physical quantities are in
 //! [`units`](crate::units), whole payloads in [`commands`](crate::commands).
 //!
 //! All numbers are little-endian and packed. What always has the same length is read at fixed offsets of a slice that is
@@ -9,7 +9,6 @@
 //! parsed by nom.
 
 mod axes;
-mod bits;
 mod bytes;
 mod fault;
 mod list;
@@ -28,12 +27,8 @@ pub use number::{Float, Label, U24};
 pub use slot::Slot;
 pub use writer::Writer;
 
-#[cfg(feature = "reflect")]
-pub(crate) use bits::BitLabels;
-pub(crate) use bits::{BitField, bit_enums, bit_fields, first_doc, flags, spec_name};
 #[cfg(any(feature = "serde", test))]
 pub(crate) use bytes::Hex;
-pub(crate) use number::number_type;
 pub(crate) use option::{read_field, read_tail, read_when, read_whole, write_tail, write_when};
 pub(crate) use slot::fixed;
 
@@ -52,7 +47,7 @@ pub trait Layout: Sized {
     const SLOTS: &'static [Slot] = &[];
 }
 
-/// Can be read from the bytes of a payload. `C` is what must be known besides them, `()` for most.
+/// Can be decoded from the bytes of a payload. `C` is external context, `()` for most types.
 pub trait FromWire<'a, C = ()>: Layout {
     /// Reads a value from the front of `input` and returns what follows it.
     ///

@@ -1,4 +1,4 @@
-//! Integers and floats, and the rule by which every type that is one number on the wire gets its codec.
+//! Integers and floats, and the names of raw values.
 
 use super::{FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
@@ -39,72 +39,10 @@ macro_rules! integers {
                 out.put_array(&self.to_le_bytes())
             }
         }
-
-        #[cfg(feature = "reflect")]
-        impl crate::reflect::NumberType for $integer {
-            const NUMBER: crate::reflect::Number =
-                crate::reflect::Number::plain(crate::reflect::Scalar::$integer);
-
-            fn raw_number(&self) -> i64 {
-                i64::from(*self)
-            }
-
-            fn from_raw_number(raw: i64) -> Option<Self> {
-                raw.try_into().ok()
-            }
-        }
-
-        #[cfg(feature = "reflect")]
-        crate::reflect::reflect_number!($integer);
     )* };
 }
 
 integers!(u8 i8 u16 i16 u32 i32);
-
-/// Gives a type that is one number on the wire its codec: `Type: integer, read |raw| value, raw |value| raw`.
-///
-/// With `labelled` it also gets a human-readable serde form that is the name of the value where it has one; without,
-/// the caller says how serde sees it.
-macro_rules! number_type {
-    ($name:ty: $integer:ty, read |$raw:ident| $from:expr, raw |$value:ident| $into:expr, labelled) => {
-        $crate::wire::number_type!($name: $integer, read |$raw| $from, raw |$value| $into);
-
-        #[cfg(feature = "serde")]
-        $crate::serde_support::labelled!($name: $integer, |$raw| $from, |$value| $into);
-    };
-    ($name:ty: $integer:ty, read |$raw:ident| $from:expr, raw |$value:ident| $into:expr) => {
-        impl $crate::wire::Layout for $name {
-            const MIN_LEN: usize = <$integer as $crate::wire::Layout>::MIN_LEN;
-            const MAX_LEN: usize = <$integer as $crate::wire::Layout>::MAX_LEN;
-        }
-
-        impl<'a> $crate::wire::FromWire<'a> for $name {
-            #[inline]
-            fn read(input: &'a [u8], (): ()) -> $crate::wire::Read<'a, Self> {
-                let (input, $raw) = <$integer as $crate::wire::FromWire>::read(input, ())?;
-                Ok((input, $from))
-            }
-
-            #[inline]
-            fn read_fixed(input: &'a [u8], (): ()) -> Option<Self> {
-                let $raw = <$integer as $crate::wire::FromWire>::read_fixed(input, ())?;
-                Some($from)
-            }
-        }
-
-        impl $crate::wire::ToWire for $name {
-            #[inline]
-            fn write(&self, (): (), out: &mut $crate::wire::Writer<'_>) -> Result<(), $crate::EncodeError> {
-                let $value = *self;
-                $crate::wire::ToWire::write(&$into, (), out)
-            }
-        }
-
-        #[cfg(feature = "reflect")]
-        $crate::reflect::reflect_number!($name);
-    };
-}
-pub(crate) use number_type;
 
 /// An unsigned number of 24 bits. Spec type `3u`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -117,7 +55,7 @@ pub(crate) use number_type;
 pub struct U24([u8; 3]);
 
 impl U24 {
-    /// The greatest value, 2^24 - 1.
+    /// Maximum value, 2^24 - 1.
     pub const MAX: Self = Self([0xFF; 3]);
 
     /// The number as 32 bits.
@@ -166,22 +104,6 @@ impl ToWire for U24 {
     }
 }
 
-#[cfg(feature = "reflect")]
-impl crate::reflect::NumberType for U24 {
-    const NUMBER: crate::reflect::Number = crate::reflect::Number::plain(crate::reflect::Scalar::u24);
-
-    fn raw_number(&self) -> i64 {
-        i64::from(self.get())
-    }
-
-    fn from_raw_number(raw: i64) -> Option<Self> {
-        u32::try_from(raw).ok()?.try_into().ok()
-    }
-}
-
-#[cfg(feature = "reflect")]
-crate::reflect::reflect_number!(U24);
-
 /// A float of 32 bits that compares by its bits and keeps them all, those of a NaN too. Spec type `4f`.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -222,17 +144,27 @@ impl From<Float> for f32 {
     }
 }
 
-number_type!(Float: u32, read |raw| Self(raw), raw |value| value.0);
+impl Layout for Float {
+    const MIN_LEN: usize = 4;
+    const MAX_LEN: usize = 4;
+}
 
-#[cfg(feature = "reflect")]
-impl crate::reflect::NumberType for Float {
-    const NUMBER: crate::reflect::Number = crate::reflect::Number::plain(crate::reflect::Scalar::f32);
-
-    fn raw_number(&self) -> i64 {
-        i64::from(self.0)
+impl<'a> FromWire<'a> for Float {
+    #[inline]
+    fn read(input: &'a [u8], (): ()) -> Read<'a, Self> {
+        let (input, bits) = u32::read(input, ())?;
+        Ok((input, Self(bits)))
     }
 
-    fn from_raw_number(raw: i64) -> Option<Self> {
-        raw.try_into().ok().map(Self)
+    #[inline]
+    fn read_fixed(input: &'a [u8], (): ()) -> Option<Self> {
+        u32::read_fixed(input, ()).map(Self)
+    }
+}
+
+impl ToWire for Float {
+    #[inline]
+    fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
+        self.0.write((), out)
     }
 }

@@ -5,11 +5,12 @@ use std::collections::BTreeSet;
 use sbgc_proto::reflect::{Meaning, Number};
 
 use crate::facts::{Facts, Field};
+use crate::layout::{Aspect, Difference};
 
 type Labels = BTreeSet<(String, i64)>;
 
 /// Where the names of a number's values and bits are not those of the facts.
-pub(crate) fn difference(facts: &Facts, fact: &Field, number: &Number) -> Option<String> {
+pub(crate) fn difference(facts: &Facts, fact: &Field, number: &Number) -> Option<Difference> {
     let tables: Vec<_> = fact.values.iter().chain(&fact.flags).map(String::as_str).collect();
     let mut expected: Labels = tables.iter().flat_map(|table| facts.labels(table)).collect();
     expected.extend(fact.special.iter().map(|(name, value)| (name.clone(), *value)));
@@ -33,7 +34,7 @@ pub(crate) fn difference(facts: &Facts, fact: &Field, number: &Number) -> Option
     let has = shown("has, unlike the facts,", declared.difference(&known));
     let both: Vec<_> = lacks.into_iter().chain(has).collect();
     let place = if tables.is_empty() { fact.name.clone() } else { tables.join(" and ") };
-    (!both.is_empty()).then(|| format!("{place} {}", both.join("; ")))
+    (!both.is_empty()).then(|| Difference::new(&place, Aspect::Names, &both.join("; ")))
 }
 
 fn shown<'l>(what: &str, labels: impl Iterator<Item = &'l (String, i64)>) -> Option<String> {

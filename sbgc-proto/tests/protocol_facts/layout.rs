@@ -44,8 +44,50 @@ pub(crate) fn is_raw(shape: &Shape) -> bool {
     matches!(&of_message(shape)[..], [token] if token.what == What::Rest)
 }
 
+/// What of a message or field differs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Aspect {
+    /// The message or form as such.
+    Form,
+    /// Number of payload bytes.
+    Size,
+    /// Place in the payload.
+    Place,
+    /// Name of the field, or whether there is one.
+    Field,
+    /// Type on the wire.
+    Type,
+    /// Whether it is always there.
+    Presence,
+    /// Allowed raw values.
+    Range,
+    /// Unit.
+    Unit,
+    /// Scale.
+    Scale,
+    /// Names of values and bits.
+    Names,
+    /// All that follows a field of another size.
+    After,
+}
+
+/// A difference between a declaration and the facts.
+pub(crate) struct Difference {
+    /// The field, or the table of its values.
+    pub(crate) field: String,
+    pub(crate) aspect: Aspect,
+    /// As it is shown.
+    pub(crate) text: String,
+}
+
+impl Difference {
+    pub(crate) fn new(field: &str, aspect: Aspect, text: &str) -> Self {
+        Difference { field: field.to_owned(), aspect, text: format!("{field} {text}") }
+    }
+}
+
 /// Where a declaration is not as the facts have it.
-pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<String> {
+pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<Difference> {
     let mut expected = Vec::new();
     of_facts(facts, &fact.fields, true, &mut expected);
     let declared = of_message(shape);
@@ -55,14 +97,19 @@ pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<S
     let mut at = Some(0);
     loop {
         let (Some(fact), Some(field)) = (expected.first(), declared.first()) else {
-            differences.extend(expected.first().map(|fact| format!("lacks {} and what follows", fact.name)));
-            differences.extend(declared.first().map(|field| format!("{} is one too many", field.name)));
+            let missing = |fact: &Token<Field>| {
+                Difference::new(&fact.name, Aspect::Field, "and what follows is missing")
+            };
+            differences.extend(expected.first().map(missing));
+            let surplus = |field: &Declared| Difference::new(&field.name, Aspect::Field, "is one too many");
+            differences.extend(declared.first().map(surplus));
             return differences;
         };
         if let (Some(at), Some(offset)) = (at, fact.about.offset)
             && at != offset
         {
-            differences.push(format!("{} is at {at}, should be at {offset}", field.name));
+            let text = format!("is at {at}, should be at {offset}");
+            differences.push(Difference::new(&field.name, Aspect::Place, &text));
         }
         // Newer firmware has put reserved bytes to use.
         if let What::Bytes(size) = fact.what
@@ -76,18 +123,21 @@ pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<S
         // Groups have no name of their own.
         let is_list = matches!(fact.what, What::ListStart | What::ListEnd);
         if fact.name != field.name && !is_list {
-            differences.push(format!("{} should be {}", field.name, fact.name));
+            let text = format!("should be {}", fact.name);
+            differences.push(Difference::new(&field.name, Aspect::Field, &text));
         }
         if fact.what != field.what {
-            differences.push(format!("{} is {:?}, should be {:?}", field.name, field.what, fact.what));
+            let text = format!("is {:?}, should be {:?}", field.what, fact.what);
+            differences.push(Difference::new(&field.name, Aspect::Type, &text));
             if fact.what.size() != field.what.size() {
-                differences.push("what follows is not compared".into());
+                differences.push(Difference::new("", Aspect::After, "what follows is not compared"));
                 return differences;
             }
         }
         if fact.always != field.always {
             let when = if fact.always { "always" } else { "sometimes" };
-            differences.push(format!("{} should be there {when}", field.name));
+            let text = format!("should be there {when}");
+            differences.push(Difference::new(&field.name, Aspect::Presence, &text));
         }
         if let Some(About { number, unit, range }) = &field.about {
             // Where all values have names, these are compared.
@@ -98,19 +148,21 @@ pub(crate) fn differences(facts: &Facts, fact: &Message, shape: &Shape) -> Vec<S
                 if (least, most) != should {
                     let (from, to) = should;
                     let what = format!("goes from {least} to {most}, should from {from} to {to}");
-                    differences.push(format!("{} {what}", field.name));
+                    differences.push(Difference::new(&field.name, Aspect::Range, &what));
                 }
             }
             // The facts have no word for a signal's share of its range.
             let unit = unit.strip_prefix("of full scale").unwrap_or(unit);
             if unit != fact.about.unit {
                 let should = &fact.about.unit;
-                differences.push(format!("{} has the unit {unit:?}, should have {should:?}", field.name));
+                let text = format!("has the unit {unit:?}, should have {should:?}");
+                differences.push(Difference::new(&field.name, Aspect::Unit, &text));
             }
             let scale = fact.about.scale.unwrap_or(1.0);
             let declared = number.multiply / number.divide;
             if (declared - scale).abs() > scale.abs() * 1e-6 {
-                differences.push(format!("{} has the scale {declared}, should have {scale}", field.name));
+                let text = format!("has the scale {declared}, should have {scale}");
+                differences.push(Difference::new(&field.name, Aspect::Scale, &text));
             }
             differences.extend(labels::difference(facts, &fact.about, number));
         }

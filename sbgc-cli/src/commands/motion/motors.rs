@@ -39,7 +39,7 @@ impl Motors {
                 Switch::Off => (false, "motors off", "motors off"),
             };
             let confirmed = if on {
-                act::confirm(global, output, &gimbal, &MotorsOn {}).await?
+                act::confirm(global, output, &gimbal, &MotorsOn).await?
             } else {
                 act::confirm(global, output, &gimbal, &MotorsOff { mode: MotorsOffMode::Normal }).await?
             };

@@ -4,8 +4,10 @@ use std::cell::OnceCell;
 
 use clap::{Args, ValueEnum};
 use sbgc_proto::frame::{MAX_FRAME, MAX_PAYLOAD, Version};
-use sbgc_proto::reflect::{self, AssignError, Input, MessageInfo};
-use sbgc_proto::{CommandId, Direction, EncodeError, IncomingCommand, OutOfRange, OutgoingCommand};
+use sbgc_proto::reflect::{self, AssignError, Input};
+use sbgc_proto::{
+    CommandId, Direction, EncodeError, IncomingCommand, MessageInfo, OutOfRange, OutgoingCommand,
+};
 use serde_json::json;
 
 use crate::failure::Failure;

@@ -62,7 +62,7 @@ fn motors_off(machine: &mut Machine, call: &Call<'_>, mode: MotorsOffMode) -> Re
         MotorsOffMode::SafeStop => safe_stop(machine, call.now, call.port),
         // In a brake the windings are shorted: the camera stands, as it does here anyway.
         MotorsOffMode::Normal | MotorsOffMode::Brake => machine.set_motors(false),
-        MotorsOffMode::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     }
     done(CommandId::MotorsOff)
 }

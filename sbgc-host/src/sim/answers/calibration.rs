@@ -114,7 +114,7 @@ fn sensor(machine: &mut Machine, call: &Call<'_>, request: &ImuCalibration) -> R
         CalibImu::Current => None,
         CalibImu::Main => Some(ImuType::Main),
         CalibImu::Frame => Some(ImuType::Frame),
-        CalibImu::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     };
     let CalibrationTime(milliseconds) = request.time_ms;
     let time = Duration::from_millis(milliseconds.into());
@@ -333,7 +333,7 @@ fn cogging(machine: &mut Machine, call: &Call<'_>, request: &CalibCogging) -> Re
     let delete = match request.action {
         CoggingAction::Calibrate => false,
         CoggingAction::Delete => true,
-        CoggingAction::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     };
     let chosen = (0..3).zip(request.axes.into_array()).filter(|(bit, _)| axes.bits() >> bit & 1 != 0);
     let valid = delete

@@ -62,7 +62,7 @@ pub(super) fn is_connected(machine: &Machine, imu: ImuType) -> bool {
     match imu {
         ImuType::Main => machine.imu.connected,
         ImuType::Frame => machine.settings().params.frame_imu_pos != FrameImuPosition::Disabled,
-        ImuType::Unknown(_) => false,
+        _ => false,
     }
 }
 

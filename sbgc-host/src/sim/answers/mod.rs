@@ -29,6 +29,7 @@ mod tuning;
 use std::time::Duration;
 
 use sbgc_proto::commands::AutoPid2Error;
+use sbgc_proto::units::FirmwareVersion;
 use sbgc_proto::{CommandId, OutgoingCommand};
 
 use super::machine::{Call, Machine};
@@ -88,7 +89,7 @@ fn carry_out(machine: &mut Machine, call: &Call<'_>) -> Replies {
     };
     let form = command.form();
     if let Some(info) = OutgoingCommand::ALL.iter().find(|info| info.id == id && info.form == form) {
-        if !machine.config().has(info.since) {
+        if !machine.config().knows(info.since) {
             return Err(Refusal::Unknown);
         }
         // The finer virtual channels are 31 in the text and 32 for the vendor's library.
@@ -116,15 +117,15 @@ fn wrong_size(machine: &Machine, id: CommandId) -> Refusal {
         CommandId::AutoPid2 if machine.config().has("2.70") => {
             Refusal::Tuning(AutoPid2Error::WrongCommandSize)
         }
-        _ if first_version(id).is_some_and(|since| !machine.config().has(since)) => Refusal::Unknown,
+        _ if first_version(id).is_some_and(|since| !machine.config().knows(since)) => Refusal::Unknown,
         _ => Refusal::Silent,
     }
 }
 
-/// The first version of the firmware that has the command in any form.
-fn first_version(id: CommandId) -> Option<&'static str> {
+/// The first version of the firmware that has the command in any form, which may be unknown.
+fn first_version(id: CommandId) -> Option<Option<FirmwareVersion>> {
     let forms = OutgoingCommand::ALL.iter().filter(|form| form.id == id);
-    forms.map(|form| form.since).min_by_key(|since| since.len())
+    forms.map(|form| form.since).min()
 }
 
 /// What the board does by itself when it works through its queue.

@@ -76,7 +76,7 @@ fn series(machine: &mut Machine, action: WriteParamsSetAction) -> Replies {
     let begins = match action {
         WriteParamsSetAction::Start => true,
         WriteParamsSetAction::Finish => false,
-        WriteParamsSetAction::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     };
     let restart = machine.parameters.series(begins);
     with_restart(done(CommandId::WriteParamsSet)?, restart)
@@ -123,7 +123,7 @@ fn profile_set(machine: &mut Machine, request: &ProfileSet) -> Replies {
         ProfileSetAction::Save => machine.parameters.save_set(slot)?,
         ProfileSetAction::Clear => machine.parameters.clear_set(slot)?,
         ProfileSetAction::Load => machine.parameters.load_set(slot)?,
-        ProfileSetAction::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     }
     done(CommandId::ProfileSet)
 }

@@ -50,7 +50,7 @@ fn trigger(machine: &mut Machine, request: &TriggerPin) -> Replies {
     let known = match state {
         TriggerPinState::Low | TriggerPinState::High | TriggerPinState::Floating => true,
         TriggerPinState::PulledUp | TriggerPinState::PulledDown => machine.config().has("2.74.3"),
-        TriggerPinState::Unknown(_) => false,
+        _ => false,
     };
     if !known || !machine.pins.is_free(pin_id, machine.settings()) {
         return silence();

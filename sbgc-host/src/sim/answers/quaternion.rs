@@ -8,9 +8,8 @@ use std::time::Duration;
 use sbgc_proto::commands::{
     ConfirmData, ControlMode, ControlQuat, ControlQuatConfig, ControlQuatConfigDataSet, ControlQuatFlags,
     ControlQuatMode, ControlQuatStatus, ControlQuatStatusDataSet as Set, ControlQuatStatusFlags,
-    PackedQuaternion,
 };
-use sbgc_proto::units::SensorRate;
+use sbgc_proto::units::{PackedQuaternion, SensorRate};
 use sbgc_proto::wire::{Float, PerAxis, PerXyz};
 use sbgc_proto::{CommandId, OutgoingCommand};
 

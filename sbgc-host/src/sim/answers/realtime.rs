@@ -5,11 +5,13 @@ use std::time::Duration;
 use sbgc_proto::OutgoingCommand;
 use sbgc_proto::commands::{
     Angles, AnglesExt, AxisAngles, AxisAnglesExt, CommErrors, ImuType, LimitDistances, MainImuState,
-    Motor4Control, MotorFlags, MotorPower, PackedQuaternion, PowerState, RealtimeData3, RealtimeData4,
-    RealtimeDataCustom, RealtimeDataCustom2, RealtimeDataCustom2Flags, RealtimeDataCustomFlags as Flags,
-    RtDataFlags, SensorAxis, SystemPowerFlags, SystemPowerState, SystemStateBlock, SystemStateFlags,
+    Motor4Control, MotorFlags, MotorPower, PowerState, RealtimeData3, RealtimeData4, RealtimeDataCustom,
+    RealtimeDataCustom2, RealtimeDataCustom2Flags, RealtimeDataCustomFlags as Flags, RtDataFlags, SensorAxis,
+    SystemPowerFlags, SystemPowerState, SystemStateBlock, SystemStateFlags,
 };
-use sbgc_proto::units::{Angle, EncoderAngle, FineAngle, LimitDistance, LongAngle, StabilizationError};
+use sbgc_proto::units::{
+    Angle, EncoderAngle, FineAngle, LimitDistance, LongAngle, PackedQuaternion, StabilizationError,
+};
 use sbgc_proto::wire::{Float, PerAxis, Reserved};
 
 use crate::sim::eeprom::Cell;

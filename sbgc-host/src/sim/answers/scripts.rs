@@ -36,7 +36,7 @@ fn run(machine: &mut Machine, call: &Call<'_>, mode: RunScriptMode, slot: u8) ->
         }
         RunScriptMode::Start => false,
         RunScriptMode::StartWithDebug => true,
-        RunScriptMode::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     };
     let slots = if machine.config().has("2.70") { SLOTS } else { 5 };
     if slot >= slots {

@@ -88,7 +88,7 @@ fn attitude(machine: &Machine, index: ImuIndex) -> Result<Packet, Refusal> {
     let frame = match index {
         ImuIndex::Main => false,
         ImuIndex::Frame => true,
-        ImuIndex::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     };
     let vectors = Packet::of(&imu::attitude(machine, frame))?;
     if !machine.config().has("2.69b5") {

@@ -43,7 +43,7 @@ fn debug_port(machine: &mut Machine, call: &Call<'_>, request: &SetDebugPortRequ
         DebugPortAction::Start => {
             machine.debug_ports.insert(call.port, request.cmd_filter);
         }
-        DebugPortAction::Unknown(_) => return Err(Refusal::Parameters),
+        _ => return Err(Refusal::Parameters),
     }
     done(CommandId::SetDebugPort)
 }

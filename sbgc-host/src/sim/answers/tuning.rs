@@ -6,12 +6,13 @@
 //!
 //! Simplified: tuning takes 8 seconds and finds the same values each time.
 
+use sbgc_proto::units::PidTerm;
 use std::time::Duration;
 
 use sbgc_proto::commands::{
     AutoPid, AutoPid2, AutoPid2Action, AutoPid2Axis, AutoPid2Error, AutoPid2GeneralFlags, AutoPid2Request,
     AutoPidError, AutoPidFlags, AutoPidRequest, BodeSample, BodeStimulusType, BodeTestData,
-    BodeTestStartStop, BodeTestStartStopRequest, BodeTestSystem, CalibMode, PidTerm, ProfileId,
+    BodeTestStartStop, BodeTestStartStopRequest, BodeTestSystem, CalibMode, ProfileId,
 };
 use sbgc_proto::wire::{List, PerAxis};
 use sbgc_proto::{CommandId, OutgoingCommand};
@@ -48,7 +49,7 @@ pub(super) fn answer(
             AutoPid2Action::Start | AutoPid2Action::StartSave | AutoPid2Action::Save => {
                 Err(Refusal::Tuning(AutoPid2Error::WrongCommandSize))
             }
-            AutoPid2Action::Unknown(_) => Err(Refusal::Tuning(AutoPid2Error::UnknownAction)),
+            _ => Err(Refusal::Tuning(AutoPid2Error::UnknownAction)),
         },
         OutgoingCommand::AutoPid2Request(request) => auto_pid_2(machine, call, request),
         OutgoingCommand::BodeTestStartStopRequest(request) => bode(machine, call, request),
@@ -134,8 +135,8 @@ fn auto_pid_2(machine: &mut Machine, call: &Call<'_>, request: &AutoPid2Request)
     match request.action {
         AutoPid2Action::Stop => return stop(machine),
         AutoPid2Action::Read => return read(machine),
-        AutoPid2Action::Unknown(_) => return Err(Refusal::Tuning(AutoPid2Error::UnknownAction)),
         AutoPid2Action::Start | AutoPid2Action::StartSave | AutoPid2Action::Save => {}
+        _ => return Err(Refusal::Tuning(AutoPid2Error::UnknownAction)),
     }
     if request.action != AutoPid2Action::Save && !can_run(machine) {
         return Err(Refusal::Tuning(AutoPid2Error::CannotRunNow));

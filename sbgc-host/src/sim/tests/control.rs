@@ -44,7 +44,7 @@ fn the_camera_goes_where_it_is_told() {
         before = axis.angle;
     }
     assert!((fastest - 30.0).abs() < 0.07, "{fastest}");
-    let angles = bench.ask_one(&GetAnglesExt {}).decoded::<AnglesExt>();
+    let angles = bench.ask_one(&GetAnglesExt).decoded::<AnglesExt>();
     assert_eq!(angles.axes.pitch.imu_angle, Angle::from_degrees(45.0));
     assert_eq!(angles.axes.roll.imu_angle, Angle(0));
     assert_eq!(bench.board.next_event(), None, "a board at rest has nothing to do");
@@ -64,7 +64,7 @@ fn speed_takes_time_to_build_up() {
     assert!((later.speed + 60.0).abs() < 0.07, "{later:?}");
     // Over many turns the angle on the wire starts again and the joint's goes on.
     bench.run(ms(60_000));
-    let angles = bench.ask_one(&GetAnglesExt {}).decoded::<AnglesExt>().axes.yaw;
+    let angles = bench.ask_one(&GetAnglesExt).decoded::<AnglesExt>().axes.yaw;
     assert!(angles.stator_rotor_angle.degrees() < -3600.0);
     let low_bits = (i64::from(angles.stator_rotor_angle.0) - i64::from(angles.imu_angle.0)) % 65536;
     assert_eq!(low_bits, 0);
@@ -144,9 +144,9 @@ fn without_motors_the_camera_hangs_where_it_is() {
     assert!(hangs > 1.0 && hangs < 59.0);
     bench.run(ms(1000));
     assert_eq!(pitch(&bench).to_bits(), hangs.to_bits());
-    let flags = bench.ask_one(&RealtimeData3Request {}).decoded::<RealtimeData3>().rt_data_flags;
+    let flags = bench.ask_one(&RealtimeData3Request).decoded::<RealtimeData3>().rt_data_flags;
     assert!(!flags.contains(RtDataFlags::MOTORS_ON));
-    bench.ask_one(&MotorsOn {});
+    bench.ask_one(&MotorsOn);
     bench.run(ms(3000));
     assert!((pitch(&bench) - 60.0).abs() < 0.01);
 }
@@ -204,9 +204,9 @@ fn a_reset_forgets_and_unlocks() {
     assert_eq!(bench.board.resets(), 1);
     let stands = pitch(&bench);
     bench.version = Version::V1;
-    assert_eq!(bench.ask(&RealtimeData3Request {}), [], "a board that starts is deaf");
+    assert_eq!(bench.ask(&RealtimeData3Request), [], "a board that starts is deaf");
     bench.run(ms(500));
-    assert_eq!(bench.ask_one(&RealtimeData3Request {}).version, Version::V1);
+    assert_eq!(bench.ask_one(&RealtimeData3Request).version, Version::V1);
     assert_eq!(pitch(&bench).to_bits(), stands.to_bits());
 }
 
@@ -235,7 +235,7 @@ fn a_calibration_takes_its_time() {
     let request = CalibGyro(ImuCalibration { action: CalibAction::Regular, ..ImuCalibration::default() });
     assert_eq!(confirmed(&bench.ask_one(&request)), (CommandId::CalibGyro, 0));
     assert_eq!(bench.ask_one(&request).payload[..2], [103, 8]);
-    let mode = bench.ask_one(&RealtimeData4Request {}).decoded::<RealtimeData4>().calib_mode;
+    let mode = bench.ask_one(&RealtimeData4Request).decoded::<RealtimeData4>().calib_mode;
     assert_eq!(mode, CalibMode::Gyro);
     assert_eq!(bench.run(ms(3900)), []);
     assert_eq!(confirmed(&bench.run(ms(100))[0]), (CommandId::CalibGyro, 0));

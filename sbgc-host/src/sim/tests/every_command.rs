@@ -4,9 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::sync::OnceLock;
 
-use sbgc_proto::reflect::MessageInfo;
 use sbgc_proto::units::FirmwareVersion;
-use sbgc_proto::{CommandId, OutgoingCommand};
+use sbgc_proto::{CommandId, MessageInfo, OutgoingCommand};
 
 use super::{Bench, Got, ms};
 use crate::sim::{Board, Config};
@@ -128,7 +127,7 @@ fn old_firmware_does_not_know_what_came_later() {
     let old = Config { firmware: FirmwareVersion::new(2, 68, 9), ..Config::default() };
     for form in OutgoingCommand::ALL {
         let size = *form.size.start();
-        let known = old.has(form.since);
+        let known = old.knows(form.since);
         let answer = answer(&old, form.id.raw(), &vec![0; size]);
         assert_eq!(!known, answer == "error 6", "{} {}: {answer}", form.spec, form.form);
     }

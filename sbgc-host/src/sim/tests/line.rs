@@ -11,7 +11,7 @@ fn answers_come_in_the_version_of_the_question() {
     let mut bench = Bench::new(Config::default());
     for version in [Version::V1, Version::V2] {
         bench.version = version;
-        let got = bench.ask_one(&BoardInfoRequest {});
+        let got = bench.ask_one(&BoardInfoRequest);
         assert_eq!(got.version, version);
         assert_eq!(got.decoded::<BoardInfo>().firmware_ver.to_string(), "2.73.5");
     }
@@ -21,17 +21,17 @@ fn answers_come_in_the_version_of_the_question() {
 fn version_2_locks_version_1_out() {
     let mut bench = Bench::new(Config::default());
     bench.version = Version::V2;
-    assert_eq!(bench.ask(&BoardInfoRequest {}).len(), 1);
+    assert_eq!(bench.ask(&BoardInfoRequest).len(), 1);
     bench.version = Version::V1;
-    assert_eq!(bench.ask(&BoardInfoRequest {}), []);
+    assert_eq!(bench.ask(&BoardInfoRequest), []);
     bench.version = Version::V2;
-    assert_eq!(bench.ask(&BoardInfoRequest {}).len(), 1);
+    assert_eq!(bench.ask(&BoardInfoRequest).len(), 1);
 }
 
 #[test]
 fn the_queue_is_worked_through_each_8_ms() {
     let mut bench = Bench::new(Config::default());
-    bench.send(&BoardInfoRequest {});
+    bench.send(&BoardInfoRequest);
     assert_eq!(bench.run(ms(6)), []);
     assert_eq!(bench.run(ms(1)).len(), 1);
 }
@@ -62,7 +62,7 @@ fn noise_and_frames_that_stop_are_passed_over() {
     bench.board.receive(bench.now, b"\x00\x00\x24\x56\xC8\x1E");
     assert_eq!(bench.run(ms(8)).len(), 1);
     // 200 bytes are announced and do not come.
-    bench.send(&BoardInfoRequest {});
+    bench.send(&BoardInfoRequest);
     assert_eq!(bench.run(ms(90)), []);
     assert_eq!(bench.run(ms(30)).len(), 1);
     assert!(bench.board.counters().skipped_bytes > 5);

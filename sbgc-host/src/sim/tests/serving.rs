@@ -17,7 +17,7 @@ use crate::sim::{Board, Config, Fault, SharedBoard, in_process, serve_shared_tcp
 /// Asks who the board is and waits for the answer.
 async fn says_who_it_is(io: &mut (impl AsyncRead + AsyncWrite + Unpin)) {
     let mut buffer = [0; 16];
-    let frame = BoardInfoRequest {}.encode_frame(Version::V2, &mut buffer).unwrap();
+    let frame = BoardInfoRequest.encode_frame(Version::V2, &mut buffer).unwrap();
     io.write_all(frame).await.unwrap();
     let mut answer = [0; 24];
     timeout(Duration::from_secs(5), io.read_exact(&mut answer)).await.unwrap().unwrap();

@@ -52,6 +52,6 @@ fn debug_variables_describe_themselves() {
 
     let got = bench.ask_one(&DebugVarsInfo3ExtendedRequest { start_idx: 8 });
     assert_eq!(got.decoded::<DebugVarsInfo3<'_>>().debug_vars_num, 0);
-    let got = bench.ask_one(&DebugVars3ExtendedRequest::of([1]).unwrap());
+    let got = bench.ask_one(&DebugVars3ExtendedRequest::new([1]).unwrap());
     assert_eq!(got.payload, [2, 0, 0, 0, 1]);
 }

@@ -7,7 +7,7 @@ use crate::wire::List;
 
 /// Sets all 32 virtual channels.
 ///
-/// It is not confirmed.
+/// Not confirmed.
 ///
 /// [`RcSource::API_VIRT_CH`](crate::commands::RcSource::API_VIRT_CH) names channels 1 to 31 only, so the last may have
 /// no use. One document has 31 channels here; the specification and all code have 32.
@@ -19,7 +19,7 @@ pub struct ApiVirtChControl {
 
 /// Sets the first of the virtual channels.
 ///
-/// It is not confirmed.
+/// Not confirmed.
 #[message(CMD_API_VIRT_CH_CONTROL, outgoing, form = "variable", default, size = 2..=64, since = "2.70b5")]
 pub struct ApiVirtChControlVariable {
     /// The signal of each channel, -500 to 500 or slightly beyond.
@@ -28,7 +28,7 @@ pub struct ApiVirtChControlVariable {
 
 /// Sets the first of the virtual channels, with finer steps.
 ///
-/// It is not confirmed.
+/// Not confirmed.
 ///
 /// The specification has 31 channels in its tables and 32 in a title, newer documents 32. Up to 31 are safe.
 #[message(CMD_API_VIRT_CH_HIGH_RES, outgoing, size = 2..=62, since = "2.68b7")]

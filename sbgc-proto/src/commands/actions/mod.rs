@@ -1,4 +1,4 @@
-//! Things that the board does at once: motors, menu, restart, pins, sounds, signals in place of radio control.
+//! Immediate actions: motors, menu, restart, pins, sounds, and signals that replace radio control.
 
 mod channels;
 mod motors;

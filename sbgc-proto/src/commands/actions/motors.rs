@@ -3,27 +3,28 @@
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::commands::{Axis, Confirm, MenuCommand};
-use crate::wire::flags;
+use crate::declare::flags;
 
-/// Switches the motors on.
+/// Turns the motors on.
 #[message(CMD_MOTORS_ON, outgoing, size = 0, answer = Confirm)]
-pub struct MotorsOn {}
+pub struct MotorsOn;
 
 /// Switches the motors off, without a choice of how.
 ///
-/// The only form before firmware 2.68b7. Whether later firmware still takes it is not said: send [`MotorsOff`] there.
+/// The only form before firmware 2.68b7. Whether later firmware still accepts it is undocumented: send [`MotorsOff`]
+/// there.
 #[message(CMD_MOTORS_OFF, outgoing, form = "simple", size = 0, length = 0, answer = Confirm)]
-pub struct MotorsOffSimple {}
+pub struct MotorsOffSimple;
 
-/// Switches the motors off.
+/// Turns the motors off.
 #[message(CMD_MOTORS_OFF, outgoing, form = "extended", default, size = 1, since = "2.68b7", answer = Confirm)]
 pub struct MotorsOff {
-    /// How they are switched off.
+    /// Switch-off mode.
     #[wire(since = "2.68b7")]
     pub mode: MotorsOffMode,
 }
 
-/// How motors are switched off. Spec: `MOTORS_OFF_MODE`.
+/// Switch-off mode of the motors. Spec: `MOTORS_OFF_MODE`.
 #[open_enum(u8)]
 pub enum MotorsOffMode {
     /// At once, and the axes turn freely: the drivers are left in high impedance.
@@ -35,7 +36,7 @@ pub enum MotorsOffMode {
     SafeStop = 2,
 }
 
-/// Brings motors that work in parallel on one axis in step.
+/// Synchronizes motors that work in parallel on one axis.
 #[message(CMD_SYNC_MOTORS, outgoing, size = 6, since = "2.70b9", answer = Confirm)]
 pub struct SyncMotors {
     /// The axis.
@@ -54,16 +55,16 @@ pub struct SyncMotors {
 /// That it is confirmed is known from the vendor's libraries. [`MenuCommand::No`] does nothing but be confirmed.
 #[message(CMD_EXECUTE_MENU, outgoing, form = "simple", default, size = 1, answer = Confirm)]
 pub struct ExecuteMenu {
-    /// What to do.
+    /// Action to perform.
     pub cmd_id: MenuCommand,
 }
 
 /// Runs a menu command, and chooses when that is confirmed.
 ///
-/// It is confirmed at the start, at the end, both times or not at all, as the flags say.
+/// Confirmed at the start, at the end, both times or not at all, as the flags select.
 #[message(CMD_EXECUTE_MENU, outgoing, form = "extended", size = 2, length = 2.., since = "2.73.8")]
 pub struct ExecuteMenuExtended {
-    /// What to do.
+    /// Action to perform.
     pub cmd_id: MenuCommand,
     /// When to confirm it.
     pub flags: ExecuteMenuFlags,
@@ -72,9 +73,9 @@ pub struct ExecuteMenuExtended {
 flags! {
     /// When a menu command is confirmed. Spec: `EXECUTE_MENU_FLAG`.
     pub struct ExecuteMenuFlags: u8 {
-        /// At its start. Firmware 2.73.8 and later.
+        /// At its start. Firmware 2.73.8+.
         const CONFIRM = 1 << 0;
-        /// At its end. Firmware 2.73.8 and later.
+        /// At its end. Firmware 2.73.8+.
         const CONFIRM_ON_FINISH = 1 << 1;
     }
 }

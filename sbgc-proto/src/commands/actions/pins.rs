@@ -2,8 +2,9 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
+use crate::declare::{bit_enums, flags};
 use crate::units::ServoTime;
-use crate::wire::{List, bit_enums, flags};
+use crate::wire::List;
 
 /// Drives a pin.
 ///
@@ -11,9 +12,9 @@ use crate::wire::{List, bit_enums, flags};
 /// the states that are inputs, newer firmware confirms with the pin's id and its level, -1 where that is not available.
 #[message(CMD_TRIGGER_PIN, outgoing, size = 2)]
 pub struct TriggerPin {
-    /// Which pin.
+    /// Pin to switch.
     pub pin_id: TriggerPinId,
-    /// What to do with it.
+    /// Action to perform on it.
     pub state: TriggerPinState,
 }
 
@@ -126,7 +127,7 @@ pub enum TriggerPinId {
 }
 bit_enums!(TriggerPinId);
 
-/// What is done with a pin. Spec: `TRIGGER_PIN_STATE`.
+/// State to give to a pin. Spec: `TRIGGER_PIN_STATE`.
 #[open_enum(u8)]
 pub enum TriggerPinState {
     /// Drives it to ground, up to 40 mA.
@@ -146,7 +147,7 @@ pub enum TriggerPinState {
 
 /// Puts pulses on the servo outputs.
 ///
-/// It is not confirmed.
+/// Not confirmed.
 ///
 /// Not every board has eight outputs. Newer documents have four times (outputs `EXT_FC_ROLL`, `EXT_FC_PITCH`,
 /// `RC_PITCH`, `AUX1`) and 8 reserved bytes in the same 16: leave the last four at 0 or below for those boards.
@@ -154,7 +155,7 @@ pub enum TriggerPinState {
 pub struct ServoOut {
     /// Pulse time of each output, which must be shorter than the period that the parameter `SERVO_RATE` sets.
     ///
-    /// Usual servos take 500 to 2500, 1500 in the middle, at a period of 20000 or less. From firmware 2.70b8 on, in the
+    /// Usual servos take 500 to 2500, 1500 in the middle, at a period of 20000 or less. Firmware 2.70b8+:, in the
     /// mode of duty cycles, 1000 is 0 % and 2000 is 100 %.
     #[wire(range = -1..=20000)]
     pub servo_time: [ServoTime; 8],
@@ -162,13 +163,13 @@ pub struct ServoOut {
 
 /// Puts pulses on chosen servo outputs, those of CAN drivers too.
 ///
-/// It is not confirmed.
+/// Not confirmed.
 ///
 /// One of the vendor's libraries forgets to send the bits; this is the layout of the others. More outputs than the
 /// named ones are kept as they come.
 #[message(CMD_SERVO_OUT_EXT, outgoing, size = 4..=40, since = "2.73.2")]
 pub struct ServoOutExt {
-    /// Which outputs.
+    /// Outputs to set.
     pub servo_bits: ServoOutputs,
     /// Pulse time of each of them, lowest bit first; as in [`ServoOut`].
     #[wire(range = -1..=20000, count = servo_bits.count())]
@@ -218,7 +219,7 @@ flags! {
 }
 
 impl ServoOutputs {
-    /// How many outputs these are.
+    /// Number of outputs.
     pub const fn count(self) -> usize {
         // At most 32.
         self.bits().count_ones() as usize

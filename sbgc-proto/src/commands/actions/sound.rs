@@ -2,12 +2,13 @@
 
 use sbgc_proto_macros::message;
 
+use crate::declare::flags;
 use crate::units::{NoteFrequency, SoundTime};
-use crate::wire::{List, Reserved, flags};
+use crate::wire::{List, Reserved};
 
 /// Plays a standard sound or a melody on the motors or the buzzer.
 ///
-/// It is not confirmed.
+/// Not confirmed.
 ///
 /// The envelope, and the volume of the settings, count only in firmware with encoders or while the motors are off.
 ///
@@ -28,11 +29,11 @@ use crate::wire::{List, Reserved, flags};
 /// ```
 #[message(CMD_BEEP_SOUND, outgoing, size = 12..=112)]
 pub struct BeepSound {
-    /// Which sound.
+    /// Sound to play.
     pub mode: BeepSoundMode,
-    /// Length of each note of a melody, 1 to 255; without meaning for the standard sounds.
+    /// Length of each note of a melody, 1 to 255; ignored for the standard sounds.
     pub note_length: SoundTime,
-    /// How slowly a note fades after a pause; 0 is no fading.
+    /// Decay of a note after a pause; 0 disables it.
     #[wire(range = 0..=15)]
     pub decay_factor: u8,
     pub reserved: Reserved<8>,
@@ -60,21 +61,21 @@ impl NoteFrequency {
 flags! {
     /// A sound. Spec: `BEEP_SOUND_MODE`.
     ///
-    /// These are not the bits of the parameter `BEEPER_MODES`. A melody is asked for alone.
-    pub struct BeepSoundMode: u16 {
+    /// These are not the bits of the parameter `BEEPER_MODES`. A melody must be requested alone.
+    pub struct BeepSoundMode: u16, prefix "BEEPER_MODE_" {
         /// That of a calibration.
-        const CALIBRATE "BEEPER_MODE_CALIBRATE" = 1 << 0;
+        const CALIBRATE = 1 << 0;
         /// That of a confirmation.
-        const CONFIRM "BEEPER_MODE_CONFIRM" = 1 << 1;
+        const CONFIRM = 1 << 1;
         /// That of an error.
-        const ERROR "BEEPER_MODE_ERROR" = 1 << 2;
+        const ERROR = 1 << 2;
         /// A click.
-        const CLICK "BEEPER_MODE_CLICK" = 1 << 4;
+        const CLICK = 1 << 4;
         /// That of something completed.
-        const COMPLETE "BEEPER_MODE_COMPLETE" = 1 << 5;
+        const COMPLETE = 1 << 5;
         /// That of the start.
-        const INTRO "BEEPER_MODE_INTRO" = 1 << 6;
+        const INTRO = 1 << 6;
         /// The notes of the message.
-        const CUSTOM_MELODY "BEEPER_MODE_CUSTOM_MELODY" = 1 << 15;
+        const CUSTOM_MELODY = 1 << 15;
     }
 }

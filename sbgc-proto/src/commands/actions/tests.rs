@@ -19,7 +19,7 @@ pub(super) fn same<M: Message + for<'a> FromWire<'a> + ToWire + PartialEq + core
 
 #[test]
 fn motors_and_menu() {
-    same(MotorsOn {}, &[]);
+    same(MotorsOn, &[]);
     same(MotorsOffSimple {}, &[]);
     same(MotorsOff { mode: MotorsOffMode::SafeStop }, &[2]);
     same(MotorsOff { mode: MotorsOffMode::Unknown(9) }, &[9]);

@@ -1,26 +1,27 @@
-//! Which signals run actions and change variables.
+//! Mapping of signals to actions and variables.
 
 use sbgc_proto_macros::{message, record};
 
 use super::AdjustableVariable;
 use crate::commands::{Confirm, MenuCommand, RcSource};
-use crate::wire::{Reserved, bit_fields};
+use crate::declare::bit_fields;
+use crate::wire::Reserved;
 
-/// Asks which signals run actions and change variables.
+/// Requests the mapping of signals to actions and variables.
 #[message(CMD_READ_ADJ_VARS_CFG, outgoing, size = 0, answer = AdjVarsCfg)]
-pub struct ReadAdjVarsCfg {}
+pub struct ReadAdjVarsCfg;
 
-/// Stores which signals run actions and change variables.
+/// Stores the mapping of signals to actions and variables.
 #[message(CMD_WRITE_ADJ_VARS_CFG, outgoing, size = 128, answer = Confirm)]
 pub struct WriteAdjVarsCfg(pub AdjVarsCfg);
 
-/// Which signals run actions and change variables.
+/// Mapping of signals to actions and variables.
 #[message(CMD_READ_ADJ_VARS_CFG, incoming, size = 128)]
 pub struct AdjVarsCfg {
-    /// Signals that run actions.
+    /// Trigger slots: signals that run actions.
     #[wire(group)]
     pub trigger_slots: [TriggerSlot; 10],
-    /// Signals that change variables.
+    /// Analog slots: signals that change variables.
     #[wire(group)]
     pub analog_slots: [AnalogSlot; 15],
     pub reserved: Reserved<8>,
@@ -30,9 +31,9 @@ pub struct AdjVarsCfg {
 #[record(size = 6)]
 #[derive(Copy)]
 pub struct TriggerSlot {
-    /// The signal.
+    /// Signal source.
     pub trigger_src_ch: RcSource,
-    /// What is done in each fifth of the signal's range, from the lowest.
+    /// Actions for the five fifths of the signal's range, lowest first.
     pub trigger_action: [MenuCommand; 5],
 }
 
@@ -40,13 +41,13 @@ pub struct TriggerSlot {
 #[record(size = 4)]
 #[derive(Copy)]
 pub struct AnalogSlot {
-    /// The signal.
+    /// Signal source.
     pub analog_src_ch: RcSource,
     /// The variable, and how it changes.
     pub var_id: VariableTarget,
-    /// Lower end of the working range, which stands for the variable's own range.
+    /// Lower end of the working range; the range of the variable itself is mapped to 0 to 255.
     pub min_val: u8,
-    /// Upper end of the working range, which stands for the variable's own range.
+    /// Upper end of the working range; the range of the variable itself is mapped to 0 to 255.
     pub max_val: u8,
 }
 
@@ -55,7 +56,7 @@ bit_fields! {
     pub struct VariableTarget: u8 {
         /// The variable.
         0..=6 => variable / with_variable "VAR_ID": AdjustableVariable,
-        /// Whether the signal multiplies the variable instead of being its value. Firmware 2.62b6 and later.
-        7..=7 => multiplies / with_multiplies "MULTIPLIER": bool,
+        /// Whether the signal multiplies the variable instead of being its value. Firmware 2.62b6+.
+        7 => multiplies / with_multiplies "MULTIPLIER": bool,
     }
 }

@@ -1,41 +1,41 @@
-//! What variables the firmware has.
+//! List of the adjustable variables of the firmware.
 
 use sbgc_proto_macros::{message, record};
 
 use super::AdjustableVariable;
 use crate::wire::{List, Text};
 
-/// Asks what variables the firmware has.
+/// Requests the list of adjustable variables.
 ///
-/// One answer has as many as fit; ask again from the next for more.
+/// One answer holds as many as fit; request the next ones by starting after the last.
 #[message(CMD_ADJ_VARS_INFO, outgoing, size = 0..=1, since = "2.73", answer = AdjVarsInfo<'answer>, echo = from(start_id => vars.var_id))]
 pub struct AdjVarsInfoRequest {
-    /// The first that is wanted. The vendor's library always sends it; a third-party one may leave it
-    /// out, which stands for 0.
+    /// First variable to describe. The vendor's library always sends it; a third-party library may omit it,
+    /// which means 0.
     pub start_id: Option<AdjustableVariable>,
 }
 
-/// What variables the firmware has.
+/// List of the adjustable variables of the firmware.
 #[message(CMD_ADJ_VARS_INFO, incoming, size = 1..=255, since = "2.73")]
 pub struct AdjVarsInfo<'a> {
-    /// How many the firmware has in all, not in this message.
+    /// Total number of variables in the firmware, not in this message.
     pub total_number: u8,
-    /// Those of this message.
+    /// Variables described in this message.
     #[wire(group)]
     pub vars: List<VariableInfo<'a>, 25>,
 }
 
-/// What the firmware says of a variable.
+/// Description of an adjustable variable by the firmware.
 #[record]
 pub struct VariableInfo<'a> {
-    /// Which one.
+    /// Adjustable variable.
     pub var_id: AdjustableVariable,
-    /// Its name, of 16 letters at most.
+    /// Name, at most 16 characters.
     pub name: Text<'a>,
-    /// The least raw value.
+    /// Minimum raw value.
     pub range_min: i16,
-    /// The greatest raw value.
+    /// Maximum raw value.
     pub range_max: i16,
-    /// The present raw value.
+    /// Current raw value.
     pub value: i32,
 }

@@ -1,4 +1,4 @@
-//! Adjustable variables: parameters that signals, buttons and hosts change while the gimbal works.
+//! Adjustable variables: parameters that signals, buttons and hosts change at run time.
 //!
 //! [`AdjustableVariable`] lists them. Hosts change them with [`SetAdjVarsVal`] at once, without storing them;
 //! [`SaveParams3`] stores them. [`AdjVarsCfg`] says which signals change which.

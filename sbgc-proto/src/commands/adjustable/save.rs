@@ -1,4 +1,4 @@
-//! Storing what was adjusted.
+//! Storing adjusted variables.
 
 use sbgc_proto_macros::message;
 
@@ -8,13 +8,13 @@ use crate::wire::List;
 
 /// Stores all variables that are in use in EEPROM, those of a profile in the active one.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it.
+/// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(CMD_SAVE_PARAMS_3, outgoing, form = "simple", default, size = 0, length = 0, answer = Confirm)]
-pub struct SaveParams3 {}
+pub struct SaveParams3;
 
 /// Stores some variables in EEPROM, those of a profile in the active one.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it.
+/// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(
     CMD_SAVE_PARAMS_3,
     outgoing,
@@ -25,6 +25,6 @@ pub struct SaveParams3 {}
     answer = Confirm
 )]
 pub struct SaveParams3Extended {
-    /// The variables. Without any it would be the other form, which stores all.
+    /// Variables to store; at least one, since the form without any stores all.
     pub adj_var_id: List<AdjustableVariable, 255>,
 }

@@ -1,13 +1,15 @@
-//! What signals do to variables at the moment.
+//! Current state of signals and the variables they change.
 
 use sbgc_proto_macros::message;
 
 use super::AdjustableVariable;
 use crate::commands::{MenuCommand, RcSource};
+use crate::declare::BitField;
+use crate::declare::bit_fields;
 use crate::units::RcSignal;
-use crate::wire::{BitField, Float, Reserved, bit_fields};
+use crate::wire::{Float, Reserved};
 
-/// Asks for the state of a trigger slot, of two signals and of two variables.
+/// Requests the state of a trigger slot, of two signals and of two variables.
 #[message(
     CMD_ADJ_VARS_STATE,
     outgoing,
@@ -18,7 +20,7 @@ use crate::wire::{BitField, Float, Reserved, bit_fields};
     answer = AdjVarsState
 )]
 pub struct AdjVarsStateRequest {
-    /// The trigger slot, from 0 on.
+    /// Trigger slot, counted from 0.
     #[wire(range = 0..=9)]
     pub trigger_slot: u8,
     /// The signal of an analog slot.
@@ -33,27 +35,27 @@ pub struct AdjVarsStateRequest {
 
 /// The state of a trigger slot, of two signals and of two variables: the answer to [`AdjVarsStateRequest`].
 ///
-/// The legacy form has as many bytes, so the payload does not say which it is; firmware and request do.
+/// The legacy form has the same length; only the firmware version or the request distinguishes them.
 #[message(CMD_ADJ_VARS_STATE, incoming, form = "extended", default, size = 15, since = "2.62b5")]
 pub struct AdjVarsState {
     /// Signal of the trigger slot.
     #[wire(range = -16384..=16384)]
     pub trigger_rc_data: RcSignal,
-    /// What it runs.
+    /// Action it runs.
     pub trigger_action: MenuCommand,
-    /// The signal that was asked for.
+    /// Value of the requested signal.
     #[wire(range = -16384..=16384)]
     pub analog_src_value: RcSignal,
-    /// The variable that was asked for. A float, though the vendor's library reads an integer.
+    /// Value of the requested variable. A float, although the vendor's library reads an integer.
     pub analog_var_value: Float,
-    /// The signal of the lookup table that was asked for.
+    /// Signal of the requested lookup table.
     #[wire(range = -16384..=16384)]
     pub lut_src_value: RcSignal,
-    /// The variable of the lookup table that was asked for. A float, though the vendor's library reads an integer.
+    /// Variable of the requested lookup table. A float, although the vendor's library reads an integer.
     pub lut_var_value: Float,
 }
 
-/// Asks for the state of a trigger slot and an analog slot, of firmware before 2.62b5.
+/// Requests the state of a trigger slot and an analog slot, of firmware before 2.62b5.
 #[message(
     CMD_ADJ_VARS_STATE,
     outgoing,
@@ -63,10 +65,10 @@ pub struct AdjVarsState {
     answer = AdjVarsStateLegacy
 )]
 pub struct AdjVarsStateLegacyRequest {
-    /// The trigger slot, from 0 on.
+    /// Trigger slot, counted from 0.
     #[wire(range = 0..=9)]
     pub trigger_slot: u8,
-    /// The analog slot, from 0 on.
+    /// Analog slot, counted from 0.
     #[wire(range = 0..=14)]
     pub analog_slot: u8,
 }
@@ -74,26 +76,26 @@ pub struct AdjVarsStateLegacyRequest {
 /// The state of a trigger slot and an analog slot, from firmware before 2.62b5: the answer to
 /// [`AdjVarsStateLegacyRequest`].
 ///
-/// The newer form has as many bytes, so the payload does not say which it is; firmware and request do.
+/// The newer form has the same length; only the firmware version or the request distinguishes them.
 #[message(CMD_ADJ_VARS_STATE, incoming, form = "legacy", size = 15)]
 pub struct AdjVarsStateLegacy {
     /// Signal of the trigger slot.
     #[wire(range = -500..=500)]
     pub trigger_rc_data: i16,
-    /// What it runs.
+    /// Action it runs.
     pub trigger_action: MenuCommand,
     /// Signal of the analog slot.
     #[wire(range = -500..=500)]
     pub analog_rc_data: i16,
-    /// The variable of the analog slot after all that changes it.
+    /// Final value of the variable of the analog slot.
     pub analog_value: i32,
     pub reserved: Reserved<6>,
 }
 
 bit_fields! {
-    /// Where a signal comes from, in two bytes. All that are known fit in the low one.
+    /// Signal source in two bytes. All known sources fit in the low byte.
     pub struct WideRcSource: u16 {
-        /// The source.
+        /// Signal source.
         0..=7 => source / with_source "RC_MAP": RcSource,
     }
 }
@@ -115,4 +117,4 @@ impl BitField for RcSource {
 }
 
 #[cfg(feature = "reflect")]
-impl crate::wire::BitLabels for RcSource {}
+impl crate::declare::BitLabels for RcSource {}

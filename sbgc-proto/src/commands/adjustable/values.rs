@@ -15,15 +15,15 @@ pub struct SetAdjVarsVal(pub AdjVarsVal);
 /// Values of variables.
 #[message(CMD_SET_ADJ_VARS_VAL, incoming, size = 1..=201)]
 pub struct AdjVarsVal {
-    /// The variables, 1 to 40.
+    /// Variables, 1 to 40.
     #[wire(group, counted_by = "NUM_PARAMS")]
     pub params: List<VariableValue, 40>,
 }
 
-/// Asks for the values of variables.
+/// Requests the values of variables.
 #[message(CMD_GET_ADJ_VARS_VAL, outgoing, size = 1..=41, answer = AdjVarsVal, echo = each(param_id => params.param_id))]
 pub struct GetAdjVarsVal {
-    /// The variables, 1 to 40.
+    /// Variables, 1 to 40.
     #[wire(counted_by = "NUM_PARAMS")]
     pub param_id: List<AdjustableVariable, 40>,
 }
@@ -31,7 +31,7 @@ pub struct GetAdjVarsVal {
 /// A variable and its value.
 #[record(size = 5)]
 pub struct VariableValue {
-    /// Which one.
+    /// Adjustable variable.
     pub param_id: AdjustableVariable,
     /// Its raw value, widened to four bytes. The specification leaves room for floats, but all variables that it
     /// lists are integers.
@@ -47,15 +47,15 @@ pub struct SetAdjVarsValF(pub AdjVarsValF);
 /// Values of variables as floats.
 #[message(CMD_SET_ADJ_VARS_VAL_F, incoming, size = 1..=201, since = "2.73.4")]
 pub struct AdjVarsValF {
-    /// The variables, 1 to 40.
+    /// Variables, 1 to 40.
     #[wire(group, counted_by = "NUM_PARAMS")]
     pub params: List<VariableValueF, 40>,
 }
 
-/// Asks for the values of variables as floats.
+/// Requests the values of variables as floats.
 #[message(CMD_GET_ADJ_VARS_VAL_F, outgoing, size = 1..=41, since = "2.73.4", answer = AdjVarsValF, echo = each(param_id => params.param_id))]
 pub struct GetAdjVarsValF {
-    /// The variables, 1 to 40.
+    /// Variables, 1 to 40.
     #[wire(counted_by = "NUM_PARAMS")]
     pub param_id: List<AdjustableVariable, 40>,
 }
@@ -63,8 +63,8 @@ pub struct GetAdjVarsValF {
 /// A variable and its value as a float.
 #[record(size = 5)]
 pub struct VariableValueF {
-    /// Which one.
+    /// Adjustable variable.
     pub param_id: AdjustableVariable,
-    /// Its value.
+    /// Value as a float.
     pub param_value: Float,
 }

@@ -1,7 +1,6 @@
 //! The adjustable variables: parameters that can be changed while the gimbal works.
 
-use crate::wire::bit_enums;
-
+use crate::declare::bit_enums;
 /// Type of an adjustable variable. On the wire all have 4 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -14,19 +13,19 @@ pub enum VariableType {
     i16,
 }
 
-/// What is known of an adjustable variable.
+/// Facts about an adjustable variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct VariableFacts {
-    /// Which one.
+    /// Adjustable variable.
     pub variable: AdjustableVariable,
     /// The spec's name.
     pub name: &'static str,
     /// Its type.
     pub ty: VariableType,
-    /// The least and the greatest raw value, where the spec says so.
+    /// Minimum and maximum raw value, if the spec defines them.
     pub range: Option<(i32, i32)>,
-    /// The greatest raw value for newer firmware, where that is another.
+    /// Maximum raw value for newer firmware, where that is another.
     pub newer_most: Option<i32>,
     /// Unit of the value; empty where it has none or none is known.
     pub unit: &'static str,
@@ -84,7 +83,7 @@ macro_rules! variables {
 }
 
 impl AdjustableVariable {
-    /// What is known of it; `None` for one that is not known.
+    /// Facts about the variable; `None` if it is unknown.
     ///
     /// ```
     /// use sbgc_proto::commands::AdjustableVariable;
@@ -133,11 +132,11 @@ variables! {
     PowerYaw "POWER_YAW" = 11: u8 [0, 255];
     /// Limit of acceleration of all axes.
     AccLimiter "ACC_LIMITER" = 12: i16 [0, 1275] in "deg/s^2" / 1;
-    /// How fast ROLL follows.
+    /// Follow speed of ROLL.
     FollowSpeedRoll "FOLLOW_SPEED_ROLL" = 13: u8 [0, 255];
-    /// How fast PITCH follows.
+    /// Follow speed of PITCH.
     FollowSpeedPitch "FOLLOW_SPEED_PITCH" = 14: u8 [0, 255];
-    /// How fast YAW follows.
+    /// Follow speed of YAW.
     FollowSpeedYaw "FOLLOW_SPEED_YAW" = 15: u8 [0, 255];
     /// Low-pass filter of following, ROLL.
     FollowLpfRoll "FOLLOW_LPF_ROLL" = 16: u8 [0, 15];
@@ -169,7 +168,7 @@ variables! {
     RcExpoRate "RC_EXPO_RATE" = 29: u8 [0, 100];
     /// Whether PITCH, and perhaps ROLL, follows: 0 no, 1 yes.
     FollowPitch "FOLLOW_PITCH" = 30: u8 [0, 1];
-    /// What follows: 0 nothing, 1 YAW, 2 YAW and PITCH and perhaps ROLL.
+    /// Following axes: 0 none, 1 YAW, 2 YAW and PITCH and perhaps ROLL.
     FollowYawPitch "FOLLOW_YAW_PITCH" = 31: u8 [0, 2];
     /// Dead band of following.
     FollowDeadband "FOLLOW_DEADBAND" = 32: u8 [0, 255];
@@ -179,7 +178,7 @@ variables! {
     FollowRollMixStart "FOLLOW_ROLL_MIX_START" = 34: u8 [0, 90];
     /// Over how many degrees that mix grows to its full.
     FollowRollMixRange "FOLLOW_ROLL_MIX_RANGE" = 35: u8 [0, 90];
-    /// How much the gyroscope is trusted.
+    /// Trust in the gyroscope.
     GyroTrust "GYRO_TRUST" = 36: u8 [0, 255];
     /// Heading of the frame; 32767 switches the correction off.
     FrameHeadingAngle "FRAME_HEADING_ANGLE" = 37: i16 [-1800, 1800] in "deg" / 10;
@@ -191,11 +190,11 @@ variables! {
     AccLimiterPitch "ACC_LIMITER_PITCH" = 40: i16 [0, 1275, newer 10000] in "deg/s^2" / 1;
     /// Limit of acceleration of YAW.
     AccLimiterYaw "ACC_LIMITER_YAW" = 41: i16 [0, 1275, newer 10000] in "deg/s^2" / 1;
-    /// Gain of the controller of ROLL, as [`PidGain`](crate::commands::PidGain) has it.
+    /// Gain of the controller of ROLL, as [`PidGain`](crate::units::PidGain) has it.
     PidGainRoll "PID_GAIN_ROLL" = 42: u8 [0, 255];
-    /// Gain of the controller of PITCH, as [`PidGain`](crate::commands::PidGain) has it.
+    /// Gain of the controller of PITCH, as [`PidGain`](crate::units::PidGain) has it.
     PidGainPitch "PID_GAIN_PITCH" = 43: u8 [0, 255];
-    /// Gain of the controller of YAW, as [`PidGain`](crate::commands::PidGain) has it.
+    /// Gain of the controller of YAW, as [`PidGain`](crate::units::PidGain) has it.
     PidGainYaw "PID_GAIN_YAW" = 44: u8 [0, 255];
     /// Cut-off of the low-pass filter of ROLL.
     LpfFreqRoll "LPF_FREQ_ROLL" = 45: u16 [10, 400] in "Hz" / 1;
@@ -203,11 +202,11 @@ variables! {
     LpfFreqPitch "LPF_FREQ_PITCH" = 46: u16 [10, 400] in "Hz" / 1;
     /// Cut-off of the low-pass filter of YAW.
     LpfFreqYaw "LPF_FREQ_YAW" = 47: u16 [10, 400] in "Hz" / 1;
-    /// How long the motion of a time lapse takes.
+    /// Duration of a time-lapse motion.
     TimelapseTime "TIMELAPSE_TIME" = 48: u16 [1, 3600] in "s" / 1;
-    /// Which axes MavLink controls, as [`MavControlMode`](crate::commands::MavControlMode) has it.
+    /// Axes controlled by MavLink, as in [`MavControlMode`](crate::commands::MavControlMode).
     MavCtrlMode "MAV_CTRL_MODE" = 49: u8 [0, 2];
-    /// How much an external reference corrects the heading.
+    /// Weight of an external reference in the heading correction.
     HCorrFactor "H_CORR_FACTOR" = 50: u8 [0, 255] since "2.68b7";
     /// Lower soft limit of ROLL, in firmware for encoders only.
     SwLimMinRoll "SW_LIM_MIN_ROLL" = 51: i16 [-3600, 3600] in "deg" / 1 since "2.68b8";
@@ -227,13 +226,13 @@ variables! {
     FollowRangePitch "FOLLOW_RANGE_PITCH" = 58: u8 [0, 255] in "deg" / 1 since "2.68b9";
     /// Range over which following of YAW grows to its full speed.
     FollowRangeYaw "FOLLOW_RANGE_YAW" = 59: u8 [0, 255] in "deg" / 1 since "2.68b9";
-    /// What automatic tuning aims at, from stability to precision.
+    /// Goal of automatic tuning, from stability to precision.
     AutoPidTarget "AUTO_PID_TARGET" = 60: u8 [0, 255] since "2.68b9";
-    /// What the control signal means of ROLL, as [`RcMode`](crate::commands::RcMode) has it.
+    /// Meaning of the ROLL control signal, as in [`RcMode`](crate::commands::RcMode).
     RcModeRoll "RC_MODE_ROLL" = 61: u8 since "2.69b3";
-    /// What the control signal means of PITCH, as [`RcMode`](crate::commands::RcMode) has it.
+    /// Meaning of the PITCH control signal, as in [`RcMode`](crate::commands::RcMode).
     RcModePitch "RC_MODE_PITCH" = 62: u8 since "2.69b3";
-    /// What the control signal means of YAW, as [`RcMode`](crate::commands::RcMode) has it.
+    /// Meaning of the YAW control signal, as in [`RcMode`](crate::commands::RcMode).
     RcModeYaw "RC_MODE_YAW" = 63: u8 since "2.69b3";
     /// Order of Euler angles, as [`EulerOrder`](crate::commands::EulerOrder) has it.
     EulerOrder "EULER_ORDER" = 64: u8 since "2.69b3";
@@ -241,15 +240,15 @@ variables! {
     FollowInDband "FOLLOW_IN_DBAND" = 65: u8 [0, 255] since "2.70b4";
     /// Least angle of remote control, ROLL.
     RcLimitMinRoll "RC_LIMIT_MIN_ROLL" = 66: i16 [-3600, 3600] since "2.72b0";
-    /// Greatest angle of remote control, ROLL.
+    /// Maximum angle of remote control, ROLL.
     RcLimitMaxRoll "RC_LIMIT_MAX_ROLL" = 67: i16 [-3600, 3600] since "2.72b0";
     /// Least angle of remote control, PITCH.
     RcLimitMinPitch "RC_LIMIT_MIN_PITCH" = 68: i16 [-3600, 3600] since "2.72b0";
-    /// Greatest angle of remote control, PITCH.
+    /// Maximum angle of remote control, PITCH.
     RcLimitMaxPitch "RC_LIMIT_MAX_PITCH" = 69: i16 [-3600, 3600] since "2.72b0";
     /// Least angle of remote control, YAW.
     RcLimitMinYaw "RC_LIMIT_MIN_YAW" = 70: i16 [-3600, 3600] since "2.72b0";
-    /// Greatest angle of remote control, YAW.
+    /// Maximum angle of remote control, YAW.
     RcLimitMaxYaw "RC_LIMIT_MAX_YAW" = 71: i16 [-3600, 3600] since "2.72b0";
     /// Dead band of remote control, PITCH.
     RcDeadbandPitch "RC_DEADBAND_PITCH" = 72: u8 [0, 255] since "2.72b0";
@@ -273,7 +272,7 @@ variables! {
     ShakePausePeriod "SHAKE_PAUSE_PERIOD" = 81: u16 [500, 5600] in "ms" / 1 since "2.73";
     /// Balance between shake and pause. The same setting among the parameters ends at 100.
     ShakePauseBalance "SHAKE_PAUSE_BALANCE" = 82: u8 [0, 255] since "2.73";
-    /// How irregular pauses are.
+    /// Irregularity of pauses.
     ShakePauseRandomness "SHAKE_PAUSE_RANDOMNESS" = 83: u8 [0, 100] since "2.73";
     /// Gain of the shake generator's resonance, ROLL.
     ShakeResonanceGainRoll "SHAKE_RESONANCE_GAIN_ROLL" = 84: u8 [0, 255] since "2.73";

@@ -10,14 +10,14 @@ use crate::wire::Reserved;
 ///
 /// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. By the
 /// specification the board confirms it at the start and at the end, but the vendor's libraries wait for nothing after
-/// this form: prefer [`CalibAcc`], which names its sensor and is surely confirmed.
+/// this form: prefer [`CalibAcc`], which selects the sensor and is always confirmed.
 #[message(CMD_CALIB_ACC, outgoing, form = "simple", size = 0, length = 0)]
-pub struct CalibAccSimple {}
+pub struct CalibAccSimple;
 
 /// Calibrates the accelerometer of a chosen sensor, or resets, copies or switches its calibration.
 ///
-/// If the parameters are valid the board confirms at once, and again when the calibration has ended. The motors move
-/// nothing: the sensor must be held still, for a calibration of all limits with each axis up and down in turn.
+/// If the parameters are valid the board confirms at once, and again when the calibration has ended. The motors do not
+/// move: hold the sensor still, for a calibration of all limits with each axis up and down in turn.
 /// Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress, the axis that is looked at and the limits
 /// that are done. How long it takes depends on the person who turns the sensor.
 ///
@@ -30,14 +30,14 @@ pub struct CalibAcc(pub ImuCalibration);
 ///
 /// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. By the
 /// specification the board confirms it at the start and at the end, but the vendor's libraries wait for nothing after
-/// this form: prefer [`CalibGyro`], which names its sensor and is surely confirmed.
+/// this form: prefer [`CalibGyro`], which selects the sensor and is always confirmed.
 #[message(CMD_CALIB_GYRO, outgoing, form = "simple", size = 0, length = 0)]
-pub struct CalibGyroSimple {}
+pub struct CalibGyroSimple;
 
 /// Calibrates the gyroscope of a chosen sensor, or resets, copies or switches its calibration.
 ///
 /// If the parameters are valid the board confirms at once, and again when the calibration has ended, after
-/// about 4 s unless another time was asked for. The sensor must be held still meanwhile.
+/// about 4 s unless another time was requested. Hold the sensor still meanwhile.
 /// Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress, and in the amplitude of the gyroscope any
 /// movement that spoils the result.
 ///
@@ -50,55 +50,55 @@ pub struct CalibGyro(pub ImuCalibration);
 ///
 /// It works on the active sensor, the one that [`SelectImu3`](crate::commands::SelectImu3) chose last. By the
 /// specification the board confirms it at the start and at the end, but the vendor's libraries wait for nothing after
-/// this form: prefer [`CalibMag`], which names its sensor and is surely confirmed.
+/// this form: prefer [`CalibMag`], which selects the sensor and is always confirmed.
 #[message(CMD_CALIB_MAG, outgoing, form = "simple", size = 0, length = 0)]
-pub struct CalibMagSimple {}
+pub struct CalibMagSimple;
 
 /// Calibrates the magnetometer of a chosen sensor, or resets, copies or switches its calibration.
 ///
-/// If the parameters are valid the board confirms at once, and again when the calibration has ended. The
-/// motors move nothing: a person turns the sensor in all directions, as the user manual tells, and how long that takes
-/// is up to them. Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress and the error of the heading.
-/// There must be a magnetometer.
+/// If the parameters are valid the board confirms at once, and again when the calibration has ended. The motors do not
+/// move: a person turns the sensor in all directions as described in the user manual, and how long that takes is up to
+/// them. Meanwhile [`CalibInfo`](crate::commands::CalibInfo) shows the progress and the error of the heading. Requires
+/// a magnetometer.
 ///
 /// Actions that restart the board probably end with `CMD_RESET` in place of the second confirmation. The menu command
 /// `MENU_CMD_CALIB_MAG` starts the same.
 #[message(CMD_CALIB_MAG, outgoing, form = "extended", default, size = 12, answer = Confirm)]
 pub struct CalibMag(pub ImuCalibration);
 
-/// What to do with the calibration of one sensor.
+/// Calibration action for one sensor.
 #[record(size = 12)]
 pub struct ImuCalibration {
-    /// Which sensor.
+    /// Sensor to use.
     pub imu_idx: CalibImu,
-    /// What to do.
+    /// Action to perform.
     pub action: CalibAction,
-    /// How long to take samples, for the gyroscope only.
+    /// Sampling time, gyroscope only.
     ///
     /// Zero, which is about 4 s, is right for the other sensors and for older firmware, where these bytes are reserved.
     pub time_ms: CalibrationTime,
     pub reserved: Reserved<8>,
 }
 
-/// Which inertial measurement unit to calibrate. Spec: `CALIB_IMU_IDX`.
+/// IMU to calibrate. Spec: `CALIB_IMU_IDX`.
 #[open_enum(u8)]
 pub enum CalibImu {
-    /// The active one.
+    /// Active IMU.
     Current = 0,
-    /// The one on the camera platform.
+    /// IMU on the camera platform.
     Main = 1,
-    /// The one on the frame.
+    /// IMU on the frame.
     Frame = 2,
 }
 
-/// What to do with a calibration. Spec: `CALIB_ACTION`.
+/// Calibration action. Spec: `CALIB_ACTION`.
 ///
 /// The spec describes these and gives them no names.
 #[open_enum(u8)]
 pub enum CalibAction {
     /// Calibrate.
     Regular = 1,
-    /// Forget all calibrations and restart the board.
+    /// Reset all calibrations and restart the board.
     ResetAllAndRestart = 2,
     /// Calibrate over temperature.
     Temperature = 3,

@@ -3,29 +3,30 @@
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::commands::{ImuType, Switch};
+use crate::declare::flags;
 use crate::units::Acceleration;
-use crate::wire::{PerXyz, Reserved, flags};
+use crate::wire::{PerXyz, Reserved};
 
 /// Asks how the calibration of a sensor is going.
 ///
-/// To be sent again and again while [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro)
+/// To be sent periodically while [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro)
 /// or [`CalibMag`](crate::commands::CalibMag) runs.
 #[message(CMD_CALIB_INFO, outgoing, size = 12, answer = CalibInfo, echo = imu_type)]
 pub struct CalibInfoRequest {
-    /// Which sensor.
+    /// Sensor to use.
     pub imu_type: ImuType,
     pub reserved: Reserved<11>,
 }
 
-/// How the calibration of a sensor is going, and what is calibrated already.
+/// Progress of a sensor calibration, and what is calibrated already.
 #[message(CMD_CALIB_INFO, incoming, size = 33)]
 pub struct CalibInfo {
-    /// How much is done.
+    /// Progress of the calibration.
     #[wire(unit = "%", range = 0..=100)]
     pub progress: u8,
-    /// Which sensor.
+    /// Sensor to use.
     pub imu_type: ImuType,
-    /// What the accelerometer shows, with the calibration applied.
+    /// Accelerometer, calibrated.
     pub acc_data: PerXyz<Acceleration>,
     /// Amplitude of the gyroscope's signal: how much the sensor is moved.
     pub gyro_abs_val: u16,
@@ -46,7 +47,7 @@ pub struct CalibInfo {
     pub temp_calib_gyro_t_max_cels: i8,
     /// Whether the accelerometer's calibration over temperature is in use.
     pub temp_calib_acc_enabled: Switch,
-    /// How many temperatures each limit of the accelerometer is calibrated at.
+    /// Number of calibrated temperatures for each limit of the accelerometer.
     ///
     /// In the order +X, +Y, +Z, -X, -Y, -Z, which is not the order of `acc_limits_info`.
     #[wire(range = 0..=3)]

@@ -13,7 +13,7 @@ use crate::wire::{PerXyz, Reserved};
 /// two axes that are level, and the scale of the one that is not, in about 0.5 s, with the gimbal standing still.
 ///
 /// One `CMD_CONFIRM` comes if all conditions are met, before or after these 0.5 s, and nothing otherwise: wait clearly
-/// longer than that and take silence for failure.
+/// longer than that and treat silence as failure.
 ///
 /// For a gimbal that works between level and 90 degrees down: level it with `CMD_CONTROL` and send this (offsets of X
 /// and Y), tilt it 90 degrees down and send it (offset of Z, scale of Y), level it and send it again (scale of Z).

@@ -1,4 +1,4 @@
-//! Calibrations that need next to nothing said: of gains, follow offset, poles, battery and misalignment.
+//! Calibrations with few parameters: gains, follow offset, poles, battery and misalignment.
 
 use sbgc_proto_macros::message;
 
@@ -8,30 +8,30 @@ use crate::wire::Reserved;
 
 /// Calibrates the gains of the external flight controller's signals.
 ///
-/// Whether the board confirms the end is not settled: take a `CMD_CONFIRM` if it comes, and do not depend on it.
+/// Sources disagree on whether the board confirms the end: accept a `CMD_CONFIRM`, but do not rely on one.
 /// Neither how long it takes is published, nor whether the gimbal moves. The result is in
 /// [`ext_fc_gain`](crate::commands::Params3::ext_fc_gain) of the parameters.
 #[message(CMD_CALIB_EXT_GAIN, outgoing, size = 0)]
-pub struct CalibExtGain {}
+pub struct CalibExtGain;
 
-/// Makes the present position the offset of follow mode.
+/// Makes the current position the offset of follow mode.
 ///
-/// Put the gimbal into the wanted position first; it does not move. Whether the board confirms is not settled: take a
-/// `CMD_CONFIRM` if it comes, and do not depend on it. The result is in
+/// Put the gimbal into the desired position first; it does not move. Sources disagree on whether the board confirms:
+/// accept a `CMD_CONFIRM`, but do not rely on one. The result is in
 /// [`follow_offset`](crate::commands::Params3::follow_offset) of the parameters.
 #[message(CMD_CALIB_OFFSET, outgoing, size = 0)]
-pub struct CalibOffset {}
+pub struct CalibOffset;
 
-/// Finds the number of poles of the motors and the direction they turn in.
+/// Calibrates the number of motor poles and the direction of the motors.
 ///
 /// **The gimbal moves.** The motors should be on, the gimbal free to move and untouched.
 ///
-/// Whether the board confirms the end is not settled: take a `CMD_CONFIRM` if it comes, and do not depend on it. How
+/// Sources disagree on whether the board confirms the end: accept a `CMD_CONFIRM`, but do not rely on one. How
 /// long it takes is not published. Failure shows in the real-time data, as
 /// [`SystemErrors::CALIB_POLES`](crate::commands::SystemErrors::CALIB_POLES) or as an emergency stop; the result is in
 /// [`MotorTuning`](crate::commands::MotorTuning), as number of poles and direction.
 #[message(CMD_CALIB_POLES, outgoing, size = 0)]
-pub struct CalibPoles {}
+pub struct CalibPoles;
 
 /// Calibrates the board's voltage sensor against a voltage that was measured.
 ///

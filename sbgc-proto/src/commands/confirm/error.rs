@@ -5,22 +5,22 @@ use sbgc_proto_macros::{message, open_enum};
 use crate::wire::{Bytes, Fault, FromWire, Layout, Read, ToWire, Writer};
 use crate::{CommandId, DecodeError, EncodeError, Message};
 
-/// A command failed: why, but not which one.
+/// Error of a command, without the command's id.
 ///
 /// The form of older specifications.
 ///
-/// Whether the firmware changed or the old documents were wrong is not settled, so the length decides: with one or
+/// Whether the firmware changed or the old documents were wrong is unknown, so the length decides: with one or
 /// five bytes the payload begins with the error code, with any other number it is an [`Error`].
 #[message(CMD_ERROR, incoming, form = "legacy", size = 1..=5, length = 1 | 5)]
 #[derive(Copy)]
 pub struct ErrorLegacy {
-    /// Why. [`FailureCode::of`] gives it its meaning, for those who know which command failed.
+    /// Error code. [`FailureCode::from_raw`] interprets it for the command that failed.
     pub error_code: ErrorCode,
-    /// Depends on the error.
+    /// Additional bytes, which depend on the error.
     pub error_data: Option<Bytes<4>>,
 }
 
-/// A command failed: which one, and why.
+/// Error of a command, with the command's id.
 ///
 /// The form of newer documents. Older ones have [`ErrorLegacy`], which does not name the command.
 #[message(CMD_ERROR, incoming, size = 2..=6)]
@@ -28,10 +28,10 @@ pub struct ErrorLegacy {
 pub struct Error {
     /// The command that failed.
     pub cmd_id: CommandId,
-    /// Why. The list of codes depends on the command.
+    /// Error code, from the list that belongs to the command.
     #[wire(context = *cmd_id)]
     pub error_code: FailureCode,
-    /// Depends on the error; normally four bytes.
+    /// Additional bytes, which depend on the error; normally four.
     pub error_data: ErrorData,
 }
 
@@ -51,7 +51,7 @@ impl Error {
     }
 }
 
-/// What a `CMD_ERROR` reports, in whichever form it came.
+/// Contents of a `CMD_ERROR` in either form.
 ///
 /// ```
 /// use sbgc_proto::CommandId;
@@ -68,7 +68,7 @@ impl Error {
 pub struct ErrorReport {
     /// Command that failed; `None` in the legacy form, which does not name it.
     pub command: Option<CommandId>,
-    /// Error code. [`FailureCode::of`] gives its meaning for the command.
+    /// Error code. [`FailureCode::from_raw`] gives its meaning for the command.
     pub code: u8,
     /// Additional bytes, which depend on the error.
     pub data: ErrorData,
@@ -101,25 +101,25 @@ impl From<Error> for ErrorReport {
     }
 }
 
-/// An error code as the command that failed means it.
+/// Error code as defined for the command that failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum FailureCode {
-    /// Of most commands.
+    /// General code, used by most commands.
     General(ErrorCode),
-    /// Of commands that work on files and on the EEPROM.
+    /// Code of file and EEPROM commands.
     Files(FsErrorCode),
-    /// Of `CMD_AUTO_PID2`.
+    /// Code of `CMD_AUTO_PID2`.
     AutoPid2(AutoPid2Error),
 }
 
 impl FailureCode {
-    /// What `raw` means when it comes from `command`.
+    /// Interprets `raw` as an error code of `command`.
     ///
     /// Files and EEPROM (commands 47, 48, 53, 54, 55) have a list of their own, and so has `CMD_AUTO_PID2` in the
     /// specification; codes beyond that short list are taken as general ones.
-    pub fn of(command: CommandId, raw: u8) -> Self {
+    pub fn from_raw(command: CommandId, raw: u8) -> Self {
         match command {
             CommandId::EepromWrite
             | CommandId::EepromRead
@@ -134,7 +134,7 @@ impl FailureCode {
         }
     }
 
-    /// The number on the wire.
+    /// Raw number on the wire.
     pub fn raw(self) -> u8 {
         match self {
             FailureCode::General(code) => code.raw(),
@@ -143,7 +143,7 @@ impl FailureCode {
         }
     }
 
-    /// The spec's name, `None` for a code that the list does not have.
+    /// Spec name; `None` for an unlisted code.
     pub fn name(self) -> Option<&'static str> {
         let labels = match self {
             FailureCode::General(_) => ErrorCode::LABELS,
@@ -167,7 +167,7 @@ impl Layout for FailureCode {
 
 impl<'a> FromWire<'a, CommandId> for FailureCode {
     fn read(input: &'a [u8], command: CommandId) -> Read<'a, Self> {
-        u8::read(input, ()).map(|(rest, raw)| (rest, Self::of(command, raw)))
+        u8::read(input, ()).map(|(rest, raw)| (rest, Self::from_raw(command, raw)))
     }
 }
 
@@ -177,7 +177,7 @@ impl ToWire<CommandId> for FailureCode {
     }
 }
 
-/// Up to four bytes that say more about an error. Not three: that payload would be taken for the legacy form.
+/// Up to four additional bytes of an error. Not three: that payload would be taken for the legacy form.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -187,7 +187,7 @@ pub struct ErrorData {
 }
 
 impl ErrorData {
-    /// The first four of `bytes`.
+    /// Keeps the first four of `bytes`.
     pub fn new(bytes: &[u8]) -> Self {
         let mut data = Self::default();
         for (place, byte) in data.bytes.iter_mut().zip(bytes) {
@@ -197,7 +197,7 @@ impl ErrorData {
         data
     }
 
-    /// The bytes.
+    /// Payload bytes.
     pub fn as_bytes(&self) -> &[u8] {
         self.bytes.get(..usize::from(self.length)).unwrap_or(&self.bytes)
     }
@@ -230,87 +230,71 @@ impl ToWire for ErrorData {
     }
 }
 
-/// Why a command failed. Spec: `ERROR_CODE`.
+/// General error code. Spec: `ERROR_CODE`.
 ///
 /// These are the usual codes of newer documents; there may be others.
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "ERR_")]
 pub enum ErrorCode {
-    /// Nothing failed.
+    /// No error.
+    #[wire(spec = "NO_ERROR")]
     NoError = 0,
-    /// The command has a wrong length.
-    #[wire(spec = "ERR_CMD_SIZE")]
+    /// Wrong command length.
     CmdSize = 1,
-    /// A parameter has a value that it cannot have.
-    #[wire(spec = "ERR_WRONG_PARAMS")]
+    /// Invalid parameter value.
     WrongParams = 2,
     /// Encryption or a licence check failed.
-    #[wire(spec = "ERR_CRYPTO")]
     Crypto = 4,
-    /// The board does not know the command.
-    #[wire(spec = "ERR_UNKNOWN_COMMAND")]
+    /// Unknown command.
     UnknownCommand = 6,
-    /// The board is in a state in which it cannot do that.
-    #[wire(spec = "ERR_WRONG_STATE")]
+    /// Not possible in the current state.
     WrongState = 8,
-    /// This board or firmware cannot do that.
-    #[wire(spec = "ERR_NOT_SUPPORTED")]
+    /// Not supported by this board or firmware.
     NotSupported = 9,
-    /// It was tried and failed.
-    #[wire(spec = "ERR_OPERATION_FAILED")]
+    /// The operation failed.
     OperationFailed = 10,
-    /// It cannot be done just now; try again.
-    #[wire(spec = "ERR_TEMPORARY")]
+    /// Temporarily not possible; try again.
     Temporary = 11,
 }
 
-/// Why a command on files or on the EEPROM failed. Spec: `FS_ERROR_CODE`, also called `FILE_ERR`.
-#[open_enum(u8)]
+/// Error of a file or EEPROM command. Spec: `FS_ERROR_CODE`, also called `FILE_ERR`.
+#[open_enum(u8, prefix = "ERR_")]
 pub enum FsErrorCode {
-    /// Nothing failed.
+    /// No error.
+    #[wire(spec = "NO_ERROR")]
     NoError = 0,
-    /// The EEPROM does not work.
-    #[wire(spec = "ERR_EEPROM_FAULT")]
+    /// EEPROM fault.
     EepromFault = 1,
-    /// There is no such file.
-    #[wire(spec = "ERR_FILE_NOT_FOUND")]
+    /// File not found.
     FileNotFound = 2,
     /// The file allocation table is damaged.
-    #[wire(spec = "ERR_FAT")]
     Fat = 3,
-    /// There is no space left.
-    #[wire(spec = "ERR_NO_FREE_SPACE")]
+    /// No free space.
     NoFreeSpace = 4,
-    /// There are as many files as there can be.
-    #[wire(spec = "ERR_FAT_IS_FULL")]
+    /// The file allocation table is full.
     FatIsFull = 5,
-    /// The file has a wrong size.
-    #[wire(spec = "ERR_FILE_SIZE")]
+    /// Wrong file size.
     FileSize = 6,
-    /// A checksum is wrong.
-    #[wire(spec = "ERR_CRC")]
+    /// Wrong checksum.
     Crc = 7,
     /// A limit is reached.
-    #[wire(spec = "ERR_LIMIT_REACHED")]
     LimitReached = 8,
     /// The file is damaged.
-    #[wire(spec = "ERR_FILE_CORRUPTED")]
     FileCorrupted = 9,
-    /// A parameter has a value that it cannot have.
-    #[wire(spec = "ERR_WRONG_PARAMS")]
+    /// Invalid parameter value.
     WrongParams = 10,
 }
 
-/// Why automatic PID tuning does not start. Spec: `AUTO_PID2_ERROR`; the specification numbers them without names.
+/// Reason why automatic PID tuning does not start. Spec: `AUTO_PID2_ERROR`, numbers without names.
 #[open_enum(u8)]
 pub enum AutoPid2Error {
-    /// The settings cannot be read from the EEPROM.
+    /// Reading the settings from EEPROM failed.
     ReadEepromFailed = 1,
     /// Tuning cannot run now.
     CannotRunNow = 2,
-    /// The settings cannot be written to the EEPROM.
+    /// Writing the settings to EEPROM failed.
     WriteEepromFailed = 3,
-    /// There is no such action.
+    /// Unknown action.
     UnknownAction = 4,
-    /// The command has a wrong length.
+    /// Wrong command length.
     WrongCommandSize = 5,
 }

@@ -13,30 +13,30 @@ pub use error::*;
 use crate::wire::{FromWire, Layout, Read, ToWire, U24, Writer};
 use crate::{CommandId, EncodeError};
 
-/// A command was accepted, or what it has started is done.
+/// Confirms that a command was accepted or has finished.
 ///
 /// Calibrations are confirmed twice, when they start and when they end. `CMD_CONTROL` is confirmed at once, and with
 /// `AUTO_TASK` again when all targets are reached. A command that fails is answered by [`Error`] instead, or by
 /// nothing.
 ///
-/// Whether some commands are confirmed at all is not settled: the specification is silent about several calibrations of
-/// encoders and motors, `CMD_USE_DEFAULTS` and `CMD_RUN_SCRIPT`, and libraries differ. Take a confirmation of these if
-/// it comes, and do not depend on it. The page of each command says what holds for it.
+/// Whether some commands are confirmed is unknown: the specification does not cover several calibrations of encoders
+/// and motors, `CMD_USE_DEFAULTS` and `CMD_RUN_SCRIPT`, and libraries differ. Accept a confirmation of these if it is
+/// sent, but do not rely on it. See the page of each command.
 #[message(CMD_CONFIRM, incoming, size = 1..=5)]
 #[derive(Copy)]
 pub struct Confirm {
-    /// The command that is confirmed.
+    /// Confirmed command.
     pub cmd_id: CommandId,
-    /// More about it, where the command says so.
+    /// Data of the confirmation, if the command defines any.
     ///
     /// `CMD_CONTROL`: 1 when the target is reached. `CMD_CALIB_COGGING`: 255 at the end. `CMD_WRITE_FILE` and
     /// `CMD_FS_CLEAR_ALL`: a [`FsErrorCode`], for these are confirmed when they fail, too. `CMD_EEPROM_WRITE`: the
-    /// address, in a width that is not settled. `CMD_TRIGGER_PIN`, firmware 2.74.3 and later, for inputs: the pin in
+    /// address, in a width that is unknown. `CMD_TRIGGER_PIN`, firmware 2.74.3+, for inputs: the pin in
     /// the low byte and its signed state in the next. Zero or nothing with all others.
     pub data: ConfirmData,
 }
 
-/// The number in a confirmation, in the width that it came in.
+/// Number in a confirmation, in the width in which it was received.
 ///
 /// The specification has one or two bytes. No bytes at all have been seen from boards, and newer hosts accept up to
 /// four.
@@ -58,7 +58,7 @@ pub enum ConfirmData {
 }
 
 impl ConfirmData {
-    /// The number, 0 where there are no bytes.
+    /// The number; 0 if there are no bytes.
     pub fn value(self) -> u32 {
         match self {
             ConfirmData::None => 0,

@@ -49,7 +49,7 @@ fn the_length_of_an_error_tells_its_form() {
 
 #[test]
 fn the_command_chooses_the_list_of_codes() {
-    let name = |command: CommandId, raw| FailureCode::of(command, raw).name();
+    let name = |command: CommandId, raw| FailureCode::from_raw(command, raw).name();
     assert_eq!(name(CommandId::WriteFile, 4), Some("ERR_NO_FREE_SPACE"));
     assert_eq!(name(CommandId::Control, 4), Some("ERR_CRYPTO"));
     assert_eq!(name(CommandId::AutoPid2, 4), Some("UNKNOWN_ACTION"));
@@ -57,7 +57,7 @@ fn the_command_chooses_the_list_of_codes() {
     assert_eq!(name(CommandId::Control, 99), None);
     for raw in 0..=255 {
         for command in (0..=255).map(CommandId::from_raw) {
-            assert_eq!(FailureCode::of(command, raw).raw(), raw);
+            assert_eq!(FailureCode::from_raw(command, raw).raw(), raw);
         }
     }
 }

@@ -4,15 +4,16 @@ use sbgc_proto_macros::{message, record};
 
 use super::ControlMode;
 use crate::commands::Confirm;
+use crate::declare::flags;
 use crate::units::{Angle, ControlRate, FineRate};
-use crate::wire::{PerAxis, flags};
+use crate::wire::PerAxis;
 
 /// Moves the gimbal; only the chosen axes and values are sent.
 ///
-/// The board confirms it as it confirms [`Control`](super::Control), and all that is said there of modes, speeds and
+/// The board confirms it like [`Control`](super::Control), and the rules given there for modes, speeds and
 /// angles holds here.
 ///
-/// How the values of 4 bytes are chosen is not settled. Here, as in the vendor's libraries, their bit stands in place
+/// How the values of 4 bytes are chosen is unknown. Here, as in the vendor's libraries, their bit stands in place
 /// of that of the short value, and an axis is there if any of its five bits is set. A third-party library sets the
 /// short bit as well, and the other bit widens the value. With the short bits alone all agree.
 ///
@@ -34,7 +35,7 @@ use crate::wire::{PerAxis, flags};
 #[message(CMD_CONTROL_EXT, outgoing, size = 2..=32, since = "2.68", answer = Confirm)]
 #[derive(Copy)]
 pub struct ControlExt {
-    /// Which values of which axes follow.
+    /// Flags that select the values of each axis.
     pub data_set: ControlExtDataSet,
     /// The ROLL axis.
     #[wire(group, when = !data_set.axes().roll.is_empty(), context = data_set.axes().roll)]
@@ -50,7 +51,7 @@ pub struct ControlExt {
 impl ControlExt {
     /// The command for these axes: the set of values is that of those which are there.
     ///
-    /// An axis with neither speed nor angle counts as none, for there is no way to send one.
+    /// An axis with neither speed nor angle is left out, since it cannot be sent.
     pub fn new(axes: PerAxis<Option<ControlExtAxis>>) -> Self {
         let sets = axes.map(|axis| axis.map(|axis| axis.data_set()).unwrap_or_default());
         let sent = |axis: Option<ControlExtAxis>| axis.filter(|axis| !axis.data_set().is_empty());
@@ -63,26 +64,26 @@ impl ControlExt {
     }
 }
 
-/// What one axis is to do.
+/// Set-point of one axis.
 #[record(context(set: ControlExtAxisSet))]
 #[derive(Copy)]
 pub struct ControlExtAxis {
-    /// How the axis is controlled.
+    /// Control mode of the axis.
     pub control_mode: ControlMode,
     /// More about that.
     pub mode_flags: ControlExtModeFlags,
     /// Speed, as in [`ControlAxis`](super::ControlAxis).
-    #[wire(when = set.contains(ControlExtAxisSet::SPEED))]
+    #[wire(flag = SPEED)]
     pub speed: Option<ControlRate>,
     /// Speed in fine steps.
     #[wire(spec = "SPEED", since = "2.72b0", when = set.has_long_speed())]
     pub speed_32bit: Option<FineRate>,
     /// Angle, as in [`ControlAxis`](super::ControlAxis).
-    #[wire(when = set.contains(ControlExtAxisSet::ANGLE))]
+    #[wire(flag = ANGLE)]
     pub angle: Option<Angle>,
     /// Angle in finer steps, or over more turns.
     ///
-    /// The step is not settled: "increased resolution" suggests 2^20 a turn, a remark in the vendor's C library says
+    /// The step is unknown: "increased resolution" suggests 2^20 per turn, a remark in the vendor's C library has
     /// 2^14 as for the short angle.
     #[wire(spec = "ANGLE", when = set.has_long_angle())]
     pub angle_32bit: Option<i32>,
@@ -109,7 +110,7 @@ flags! {
         const ROLL_ANGLE = 1 << 1;
         /// Angle of ROLL in 4 bytes.
         const ROLL_ANGLE_32BIT = 1 << 2;
-        /// Speed of ROLL in 4 bytes. Firmware 2.72b0 and later.
+        /// Speed of ROLL in 4 bytes. Firmware 2.72b0+.
         const ROLL_SPEED_32BIT = 1 << 3;
         /// Speed of PITCH.
         const PITCH_SPEED = 1 << 5;
@@ -117,7 +118,7 @@ flags! {
         const PITCH_ANGLE = 1 << 6;
         /// Angle of PITCH in 4 bytes.
         const PITCH_ANGLE_32BIT = 1 << 7;
-        /// Speed of PITCH in 4 bytes. Firmware 2.72b0 and later.
+        /// Speed of PITCH in 4 bytes. Firmware 2.72b0+.
         const PITCH_SPEED_32BIT = 1 << 8;
         /// Speed of YAW.
         const YAW_SPEED = 1 << 10;
@@ -125,7 +126,7 @@ flags! {
         const YAW_ANGLE = 1 << 11;
         /// Angle of YAW in 4 bytes.
         const YAW_ANGLE_32BIT = 1 << 12;
-        /// Speed of YAW in 4 bytes. Firmware 2.72b0 and later.
+        /// Speed of YAW in 4 bytes. Firmware 2.72b0+.
         const YAW_SPEED_32BIT = 1 << 13;
     }
 }
@@ -156,7 +157,7 @@ flags! {
         const ANGLE = 1 << 1;
         /// Angle in 4 bytes.
         const ANGLE_32BIT = 1 << 2;
-        /// Speed in 4 bytes. Firmware 2.72b0 and later.
+        /// Speed in 4 bytes. Firmware 2.72b0+.
         const SPEED_32BIT = 1 << 3;
     }
 }

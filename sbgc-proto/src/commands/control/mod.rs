@@ -13,15 +13,16 @@ pub use extended::*;
 pub use quaternion::*;
 
 use crate::commands::Confirm;
+use crate::declare::{bit_enums, bit_fields};
 use crate::units::{Angle, CoarseRcSignal, ControlRate, FineControlRate, RcSignal};
-use crate::wire::{PerAxis, bit_enums, bit_fields};
+use crate::wire::PerAxis;
 
 /// Moves the gimbal, all axes in the same mode.
 ///
 /// The older form of [`Control`], for firmware before 2.55b5; later firmware takes it too.
 #[message(CMD_CONTROL, outgoing, form = "legacy", size = 13, length = 13, answer = Confirm)]
 pub struct ControlLegacy {
-    /// How all axes are controlled.
+    /// Control mode of all axes.
     pub control_mode: ControlMode,
     /// Speed and angle of each axis.
     #[wire(group)]
@@ -59,7 +60,7 @@ pub struct ControlLegacy {
 #[message(CMD_CONTROL, outgoing, form = "extended", default, size = 15, since = "2.55b5", answer = Confirm)]
 #[derive(Copy)]
 pub struct Control {
-    /// How each axis is controlled.
+    /// Control mode of each axis.
     pub control_mode: PerAxis<ControlMode>,
     /// Speed and angle of each axis.
     #[wire(group)]
@@ -127,7 +128,7 @@ impl Control {
     }
 }
 
-/// What one axis is to do; which of the two numbers count, and what they mean, is for its [`ControlMode`] to say.
+/// Set-point of one axis; the [`ControlMode`] of the axis defines which of the two numbers apply, and how.
 #[record(size = 4)]
 #[derive(Copy)]
 pub struct ControlAxis {
@@ -170,7 +171,7 @@ impl ControlAxis {
         Self::angle(Angle(signal.0))
     }
 
-    /// The speed as it is meant with [`high_res_speed`](ControlMode::high_res_speed).
+    /// The speed as interpreted with [`high_res_speed`](ControlMode::high_res_speed).
     pub const fn as_fine_speed(self) -> FineControlRate {
         FineControlRate(self.speed.0)
     }
@@ -185,7 +186,7 @@ impl ControlAxis {
         RcSignal(self.angle.0)
     }
 
-    /// The speed in degrees a second as `mode` means it.
+    /// The speed in degrees per second as `mode` means it.
     pub fn speed_in(self, mode: ControlMode) -> f32 {
         if mode.high_res_speed() {
             self.as_fine_speed().degrees_per_second()
@@ -196,7 +197,7 @@ impl ControlAxis {
 }
 
 bit_fields! {
-    /// How an axis is controlled: what it follows, and flags.
+    /// Control mode of an axis, with its flags.
     ///
     /// ```
     /// use sbgc_proto::commands::{ControlMode, ControlModeKind};
@@ -206,26 +207,26 @@ bit_fields! {
     /// assert_eq!(mode.kind(), ControlModeKind::AngleRelFrame);
     /// ```
     pub struct ControlMode: u8 {
-        /// What the axis follows.
+        /// Control mode of the axis.
         0..=3 => kind / with_kind "CONTROL_MODE": ControlModeKind,
         /// Mixes the command with the motion of follow mode, in the modes `Rc`, `Speed`, `Angle` and `AngleShortest`.
         ///
-        /// Firmware 2.70b5 and later.
-        4..=4 => mix_follow / with_mix_follow "CONTROL_FLAG_MIX_FOLLOW": bool,
+        /// Firmware 2.70b5+.
+        4 => mix_follow / with_mix_follow "CONTROL_FLAG_MIX_FOLLOW": bool,
         /// Goes to the target more precisely, in the modes `Angle` and `AngleRelFrame`.
         ///
-        /// Firmware 2.70b1 and later.
-        5..=5 => target_precise / with_target_precise "CONTROL_FLAG_TARGET_PRECISE": bool,
+        /// Firmware 2.70b1+.
+        5 => target_precise / with_target_precise "CONTROL_FLAG_TARGET_PRECISE": bool,
         /// Moves as an automated task, in the modes `Angle` and `AngleRelFrame`.
         ///
         /// That is with the speed and acceleration of such, unless a speed is given, and confirmed once more, with
         /// data 1, when all angles are reached. The same bit is [`force_rc_speed`](Self::force_rc_speed) in the mode
-        /// `Rc`. Firmware 2.62b7 and later.
-        6..=6 => auto_task / with_auto_task "CONTROL_FLAG_AUTO_TASK": bool,
-        /// Speeds are in thousandths of a degree a second, for very slow motion.
+        /// `Rc`. Firmware 2.62b7+.
+        6 => auto_task / with_auto_task "CONTROL_FLAG_AUTO_TASK": bool,
+        /// Speeds are in thousandths of a degree per second, for very slow motion.
         ///
-        /// Firmware 2.60 and later.
-        7..=7 => high_res_speed / with_high_res_speed "CONTROL_FLAG_HIGH_RES_SPEED": bool,
+        /// Firmware 2.60+.
+        7 => high_res_speed / with_high_res_speed "CONTROL_FLAG_HIGH_RES_SPEED": bool,
     }
 }
 
@@ -238,11 +239,11 @@ impl ControlMode {
     pub const ANGLE: Self = Self(2);
     /// At a speed, and corrected to an angle.
     pub const SPEED_ANGLE: Self = Self(3);
-    /// As a radio control signal says.
+    /// Follows a radio control signal.
     pub const RC: Self = Self(4);
     /// To an angle relative to the frame.
     pub const ANGLE_REL_FRAME: Self = Self(5);
-    /// As a radio control signal in fine steps says.
+    /// Follows a radio control signal in fine steps.
     pub const RC_HIGH_RES: Self = Self(6);
     /// As it is.
     pub const IGNORE: Self = Self(7);
@@ -253,14 +254,14 @@ impl ControlMode {
     /// filter, curve and acceleration limit still apply. For remote control whose direction must not depend on
     /// settings.
     ///
-    /// The same bit is [`auto_task`](Self::auto_task) in the angle modes. Firmware 2.62b7 and later.
+    /// The same bit is [`auto_task`](Self::auto_task) in the angle modes. Firmware 2.62b7+.
     ///
     /// Spec: `CONTROL_FLAG_FORCE_RC_SPEED`, bit 6.
     pub fn force_rc_speed(self) -> bool {
         self.auto_task()
     }
 
-    /// The same with another [`force_rc_speed`](Self::force_rc_speed).
+    /// Returns a copy with [`force_rc_speed`](Self::force_rc_speed) replaced.
     #[must_use]
     pub fn with_force_rc_speed(self, value: bool) -> Self {
         self.with_auto_task(value)
@@ -273,44 +274,38 @@ impl From<ControlModeKind> for ControlMode {
     }
 }
 
-/// What an axis follows. Spec: `CONTROL_MODE`.
-#[open_enum(u8)]
+/// Control mode of an axis. Spec: `CONTROL_MODE`.
+#[open_enum(u8, prefix = "MODE_")]
 pub enum ControlModeKind {
     /// Not the host: send zeros for speed and angle.
     ///
     /// For all axes it ends serial control and undoes what `CMD_CONTROL_CONFIG` has changed. For one axis it gives that
-    /// one back to radio control from firmware 2.68b9 on; before, it left that one as it was.
-    #[wire(spec = "MODE_NO_CONTROL")]
+    /// one back to radio control with firmware 2.68b9+; before, it left that one as it was.
     NoControl = 0,
     /// Turns at the speed, in Euler coordinates, until the next command; the angle is ignored.
-    #[wire(spec = "MODE_SPEED")]
     Speed = 1,
     /// Goes to the Euler angle at the speed, more slowly near it.
-    #[wire(spec = "MODE_ANGLE")]
     Angle = 2,
     /// Turns at the speed, and an outer loop corrects what is left to the angle.
     ///
     /// The most precise mode, but it needs a high rate of commands, or low-pass filters.
-    #[wire(spec = "MODE_SPEED_ANGLE")]
     SpeedAngle = 3,
     /// The angle is a radio control signal of -500 to 500, -10000 for none, in place of any other source.
     ///
     /// The speed is ignored before firmware 2.61.
-    #[wire(spec = "MODE_RC")]
     Rc = 4,
     /// Goes to an Euler angle, up to 360 degrees either way, counted from the neutral point relative to the frame.
     ///
     /// It is not the angle of a motor.
-    #[wire(spec = "MODE_ANGLE_REL_FRAME")]
     AngleRelFrame = 5,
     /// The angle is a radio control signal of -16384 to 16384, -32768 for none.
-    #[wire(spec = "MODE_RC_HIGH_RES", since = "2.66b2")]
+    #[wire(since = "2.66b2")]
     RcHighRes = 6,
-    /// Leaves the axis as it is: send zeros for speed and angle.
-    #[wire(spec = "MODE_IGNORE", since = "2.70b4")]
+    /// Leaves the axis unchanged: send zeros for speed and angle.
+    #[wire(since = "2.70b4")]
     Ignore = 7,
     /// As [`Angle`](Self::Angle), by the shortest way round unless a software limit blocks that.
-    #[wire(spec = "MODE_ANGLE_SHORTEST", since = "2.70b7")]
+    #[wire(since = "2.70b7")]
     AngleShortest = 8,
 }
 bit_enums!(ControlModeKind);

@@ -1,10 +1,11 @@
-//! Control of the attitude as a whole, by quaternion: firmware 2.73 and later.
+//! Control of the attitude as a whole, by quaternion: firmware 2.73+.
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::commands::{Confirm, PackedQuaternion};
-use crate::units::{ControlRateLimit, SensorRate};
-use crate::wire::{Float, PerXyz, flags};
+use crate::commands::Confirm;
+use crate::declare::flags;
+use crate::units::{ControlRateLimit, PackedQuaternion, SensorRate};
+use crate::wire::{Float, PerXyz};
 
 /// Turns the camera to an attitude, or at a speed about any axis.
 ///
@@ -19,7 +20,7 @@ use crate::wire::{Float, PerXyz, flags};
 pub struct ControlQuat {
     /// Whether the attitude is controlled, the speed, or both.
     pub mode: ControlQuatMode,
-    /// How the command is confirmed, and how the attitude is meant.
+    /// Confirmation and interpretation of the attitude.
     pub flags: ControlQuatFlags,
     /// The attitude as w, x, y, z, of length 1.
     #[wire(when = mode.has_attitude() && !flags.contains(ControlQuatFlags::ATTITUDE_PACKED))]
@@ -50,30 +51,25 @@ impl ControlQuat {
         }
     }
 
-    /// At a speed, a rotation vector in radians a second.
+    /// At a speed, a rotation vector in radians per second.
     pub fn speed(speed: PerXyz<f32>, flags: ControlQuatFlags) -> Self {
         let target_speed = Some(speed.map(Float::from));
         Self { mode: ControlQuatMode::Speed, flags, target_speed, ..Self::default() }
     }
 }
 
-/// What control by quaternion controls. Spec: `CONTROL_QUAT_MODE`.
-#[open_enum(u8)]
+/// Mode of quaternion control. Spec: `CONTROL_QUAT_MODE`.
+#[open_enum(u8, prefix = "MODE_")]
 pub enum ControlQuatMode {
     /// Nothing: this kind of control ends.
-    #[wire(spec = "MODE_DISABLED")]
     Disabled = 0,
     /// The speed, at once.
-    #[wire(spec = "MODE_SPEED")]
     Speed = 1,
     /// The attitude, along the motion profile.
-    #[wire(spec = "MODE_ATTITUDE")]
     Attitude = 2,
     /// The attitude and the speed at which it changes.
-    #[wire(spec = "MODE_SPEED_ATTITUDE")]
     SpeedAttitude = 5,
     /// The speed, within the limit of acceleration.
-    #[wire(spec = "MODE_SPEED_LIMITED")]
     SpeedLimited = 9,
 }
 
@@ -90,7 +86,7 @@ impl ControlQuatMode {
 }
 
 flags! {
-    /// How the attitude is controlled. Spec: `CONTROL_QUAT_FLAG`.
+    /// Options of quaternion control. Spec: `CONTROL_QUAT_FLAG`.
     pub struct ControlQuatFlags: u8 {
         /// The command is confirmed.
         const CONFIRM = 1 << 0;
@@ -98,7 +94,7 @@ flags! {
         const ATTITUDE_PACKED = 1 << 1;
         /// The attitude is limited to half a turn.
         const ATTITUDE_LIMITED_180 = 1 << 2;
-        /// Rotation about axes that the gimbal does not have is left out. Firmware 2.74.1 and later.
+        /// Rotation about axes that the gimbal does not have is left out. Firmware 2.74.1+.
         const ATT_REMOVE_ABSENT_AXES = 1 << 3;
         /// The command is confirmed once more when the target is reached; given up after 10 seconds.
         const AUTO_TASK = 1 << 6;
@@ -114,18 +110,18 @@ flags! {
         const ATTITUDE_PACKED = 1 << 1;
         /// The attitude is limited to half a turn.
         const ATTITUDE_LIMITED_180 = 1 << 2;
-        /// Rotation about axes that the gimbal does not have is left out. Firmware 2.74.1 and later.
+        /// Rotation about axes that the gimbal does not have is left out. Firmware 2.74.1+.
         const ATT_REMOVE_ABSENT_AXES = 1 << 3;
         /// The command is confirmed once more when the target is reached.
         const AUTO_TASK = 1 << 6;
     }
 }
 
-/// Asks for the state of control by quaternion.
+/// Requests the state of control by quaternion.
 #[message(CMD_CONTROL_QUAT_STATUS, outgoing, size = 4, since = "2.73.0", answer = ControlQuatStatus, echo = data_set)]
 #[derive(Copy)]
 pub struct ControlQuatStatusRequest {
-    /// Which parts the answer shall have.
+    /// Flags that select the fields of the answer.
     pub data_set: ControlQuatStatusDataSet,
 }
 
@@ -133,45 +129,45 @@ pub struct ControlQuatStatusRequest {
 ///
 /// Quaternions are w, x, y, z.
 ///
-/// Two things are not settled: the vendor's Python library reads two bytes of data set in place of these four, and an
+/// Two things are unknown: the vendor's Python library reads two bytes of data set in place of these four, and an
 /// example of the vendor's C library takes the steps of the speeds for twice of what they are here.
-#[message(CMD_CONTROL_QUAT_STATUS, incoming, size = 4..=97, since = "2.73.0")]
+#[message(CMD_CONTROL_QUAT_STATUS, incoming, size = 4..=97, since = "2.73.0", flags = data_set)]
 #[derive(Copy)]
 pub struct ControlQuatStatus {
-    /// What follows.
+    /// Flags that select the following fields.
     pub data_set: ControlQuatStatusDataSet,
-    /// What is controlled.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::MODE))]
+    /// Controlled quantity.
+    #[wire(flag = MODE)]
     pub mode: Option<ControlQuatMode>,
     /// The flags of the last [`ControlQuat`], in two bytes here.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::MODE))]
+    #[wire(flag = MODE)]
     pub flags: Option<ControlQuatStatusFlags>,
     /// The attitude that was commanded.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::TARGET_ATTITUDE))]
+    #[wire(flag = TARGET_ATTITUDE)]
     pub target_attitude: Option<[Float; 4]>,
-    /// The attitude that the motion profile asks for now.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::SETPOINT_ATTITUDE))]
+    /// Current attitude set-point of the motion profile.
+    #[wire(flag = SETPOINT_ATTITUDE)]
     pub setpoint_attitude: Option<[Float; 4]>,
-    /// The attitude as it is.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::ACTUAL_ATTITUDE))]
+    /// Actual attitude.
+    #[wire(flag = ACTUAL_ATTITUDE)]
     pub actual_attitude: Option<[Float; 4]>,
-    /// The speed that was commanded.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::TARGET_SPEED))]
+    /// Commanded speed.
+    #[wire(flag = TARGET_SPEED)]
     pub target_speed: Option<PerXyz<SensorRate>>,
-    /// The speed that the motion profile asks for now.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::SETPOINT_SPEED))]
+    /// Current speed set-point of the motion profile.
+    #[wire(flag = SETPOINT_SPEED)]
     pub setpoint_speed: Option<PerXyz<SensorRate>>,
-    /// The speed as it is.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::ACTUAL_SPEED))]
+    /// Actual speed.
+    #[wire(flag = ACTUAL_SPEED)]
     pub actual_speed: Option<PerXyz<SensorRate>>,
     /// The attitude that was commanded, packed.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::TARGET_ATTITUDE_PACKED))]
+    #[wire(flag = TARGET_ATTITUDE_PACKED)]
     pub target_attitude_packed: Option<PackedQuaternion>,
-    /// The attitude that the motion profile asks for now, packed.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::SETPOINT_ATTITUDE_PACKED))]
+    /// Current attitude set-point of the motion profile, packed.
+    #[wire(flag = SETPOINT_ATTITUDE_PACKED)]
     pub setpoint_attitude_packed: Option<PackedQuaternion>,
-    /// The attitude as it is, packed.
-    #[wire(when = data_set.contains(ControlQuatStatusDataSet::ACTUAL_ATTITUDE_PACKED))]
+    /// Actual attitude, packed.
+    #[wire(flag = ACTUAL_ATTITUDE_PACKED)]
     pub actual_attitude_packed: Option<PackedQuaternion>,
 }
 
@@ -184,55 +180,55 @@ flags! {
         const TARGET_ATTITUDE = 1 << 1;
         /// Attitude of the motion profile.
         const SETPOINT_ATTITUDE = 1 << 2;
-        /// Attitude as it is.
+        /// Actual attitude.
         const ACTUAL_ATTITUDE = 1 << 3;
         /// Commanded speed.
         const TARGET_SPEED = 1 << 4;
         /// Speed of the motion profile.
         const SETPOINT_SPEED = 1 << 5;
-        /// Speed as it is.
+        /// Actual speed.
         const ACTUAL_SPEED = 1 << 6;
         /// Commanded attitude, packed.
         const TARGET_ATTITUDE_PACKED = 1 << 7;
         /// Attitude of the motion profile, packed.
         const SETPOINT_ATTITUDE_PACKED = 1 << 8;
-        /// Attitude as it is, packed.
+        /// Actual attitude, packed.
         const ACTUAL_ATTITUDE_PACKED = 1 << 9;
     }
 }
 
 /// Sets the motion profile and the filters of control by quaternion.
-#[message(CMD_CONTROL_QUAT_CONFIG, outgoing, size = 2..=24, since = "2.73.0", answer = Confirm)]
+#[message(CMD_CONTROL_QUAT_CONFIG, outgoing, size = 2..=24, since = "2.73.0", answer = Confirm, flags = data_set)]
 #[derive(Copy)]
 pub struct ControlQuatConfig {
-    /// What follows.
+    /// Flags that select the following fields.
     pub data_set: ControlQuatConfigDataSet,
-    /// Greatest speed.
-    #[wire(when = data_set.contains(ControlQuatConfigDataSet::MAX_SPEED))]
+    /// Maximum speed.
+    #[wire(flag = MAX_SPEED)]
     pub max_speed: Option<PerXyz<ControlRateLimit>>,
-    /// Greatest acceleration; 0 is no limit.
-    #[wire(unit = "deg/s^2", when = data_set.contains(ControlQuatConfigDataSet::ACC_LIMIT))]
+    /// Maximum acceleration; 0 disables the limit.
+    #[wire(unit = "deg/s^2", flag = ACC_LIMIT)]
     pub acc_limit: Option<PerXyz<u16>>,
     /// Time in which an acceleration builds up; 0 is at once.
-    #[wire(unit = "ms", when = data_set.contains(ControlQuatConfigDataSet::JERK_SLOPE))]
+    #[wire(unit = "ms", flag = JERK_SLOPE)]
     pub jerk_slope: Option<PerXyz<u16>>,
-    /// How the motion profile works.
-    #[wire(when = data_set.contains(ControlQuatConfigDataSet::FLAGS))]
+    /// Options of the motion profile.
+    #[wire(flag = FLAGS)]
     pub flags: Option<ControlQuatConfigFlags>,
     /// Cutoff of the low-pass filter of the attitude; 0, the default, is none.
-    #[wire(unit = "Hz", when = data_set.contains(ControlQuatConfigDataSet::ATTITUDE_LPF_FREQ))]
+    #[wire(unit = "Hz", flag = ATTITUDE_LPF_FREQ)]
     pub attitude_lpf_freq: Option<u8>,
     /// Cutoff of the low-pass filter of the speed; 0, the default, is none.
-    #[wire(unit = "Hz", when = data_set.contains(ControlQuatConfigDataSet::SPEED_LPF_FREQ))]
+    #[wire(unit = "Hz", flag = SPEED_LPF_FREQ)]
     pub speed_lpf_freq: Option<u8>,
 }
 
 flags! {
     /// Settings of control by quaternion. Spec: `CONTROL_QUAT_CONFIG_DATA_SET`.
     pub struct ControlQuatConfigDataSet: u16 {
-        /// Greatest speed.
+        /// Maximum speed.
         const MAX_SPEED = 1 << 0;
-        /// Greatest acceleration.
+        /// Maximum acceleration.
         const ACC_LIMIT = 1 << 1;
         /// Time in which an acceleration builds up.
         const JERK_SLOPE = 1 << 2;
@@ -246,7 +242,7 @@ flags! {
 }
 
 flags! {
-    /// How the motion profile of control by quaternion works. Spec: `CONTROL_QUAT_CONFIG_FLAG`.
+    /// Options of the motion profile of quaternion control. Spec: `CONTROL_QUAT_CONFIG_FLAG`.
     pub struct ControlQuatConfigFlags: u16 {
         /// Each component has a profile of its own.
         const MOTION_PROFILE_SPLIT_XYZ = 1 << 0;

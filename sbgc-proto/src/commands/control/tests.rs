@@ -1,8 +1,7 @@
 //! Control payloads byte by byte.
 
 use super::*;
-use crate::commands::PackedQuaternion;
-use crate::units::{ControlRateLimit, FineRate, JerkSlope, SensorRate};
+use crate::units::{ControlRateLimit, FineRate, JerkSlope, PackedQuaternion, SensorRate};
 use crate::wire::{PerXyz, ToWire};
 use crate::{DecodeError, Message};
 

@@ -8,25 +8,26 @@ mod tests;
 
 use sbgc_proto_macros::{message, open_enum, record};
 
-use crate::wire::{Float, FromWire, List, Reserved, Text, bit_enums, bit_fields};
+use crate::declare::{bit_enums, bit_fields};
+use crate::wire::{Float, FromWire, List, Reserved, Text};
 use crate::{DecodeError, Message, OutOfRange};
 
-/// Asks for names and types of the debug variables.
+/// Requests names and types of the debug variables.
 #[message(
     CMD_DEBUG_VARS_INFO_3, outgoing, form = "simple", size = 0, length = 0, answer = DebugVarsInfo3<'answer>
 )]
 #[derive(Copy)]
-pub struct DebugVarsInfo3Request {}
+pub struct DebugVarsInfo3Request;
 
-/// Asks for names and types of the debug variables from one on.
+/// Requests names and types of the debug variables, starting at an index.
 ///
-/// They may not fit one answer: ask on, from the first that is not described yet, until an answer brings no more.
+/// One answer may not hold all: continue at the first variable not yet described, until an answer holds none.
 #[message(
     CMD_DEBUG_VARS_INFO_3, outgoing, form = "extended", default, size = 1, since = "2.72b0", answer = DebugVarsInfo3<'answer>
 )]
 #[derive(Copy)]
 pub struct DebugVarsInfo3ExtendedRequest {
-    /// The first variable to be described, counted from 0.
+    /// First variable to describe, counted from 0.
     pub start_idx: u8,
 }
 
@@ -38,7 +39,7 @@ pub struct DebugVarsInfo3<'a> {
     /// By the specification that of this message. Newer firmware may give more than the message holds, so the list ends
     /// where the payload does.
     pub debug_vars_num: u8,
-    /// The variables, in the order of their values.
+    /// Variables, in the order of their values.
     #[wire(group, at_most = usize::from(*debug_vars_num))]
     pub vars: List<DebugVarInfo<'a>, 63>,
 }
@@ -47,22 +48,22 @@ pub struct DebugVarsInfo3<'a> {
 #[record]
 #[derive(Copy)]
 pub struct DebugVarInfo<'a> {
-    /// Its name.
+    /// Name.
     pub var_name: Text<'a>,
-    /// How its value stands on the wire and what it is.
+    /// Wire type and meaning of the value.
     pub var_type: DebugVarKind,
     pub reserved: Reserved<2>,
 }
 
 bit_fields! {
-    /// How the value of a debug variable stands on the wire and what it is.
+    /// Wire type and meaning of a debug variable.
     pub struct DebugVarKind: u8 {
         /// Type of the value.
         0..=3 => var_type / with_var_type "VAR_TYPE": DebugVarType,
         /// Axis that it belongs to.
         4..=5 => axis / with_axis "VAR_FLAG_AXIS": DebugVarAxis,
-        /// It is an angle in steps of 14 bits a turn.
-        6..=6 => is_angle / with_is_angle "VAR_FLAG_ANGLE14": bool,
+        /// It is an angle in steps of 14 bits per turn.
+        6 => is_angle / with_is_angle "VAR_FLAG_ANGLE14": bool,
     }
 }
 
@@ -85,7 +86,7 @@ pub enum DebugVarType {
     /// Two bytes.
     #[wire(spec = "VAR_TYPE_UINT16")]
     U16 = 3,
-    /// Two bytes with sign.
+    /// Signed, two bytes.
     #[wire(spec = "VAR_TYPE_INT16")]
     I16 = 4,
     /// Four bytes.
@@ -100,46 +101,44 @@ pub enum DebugVarType {
 }
 
 /// Axis of a debug variable; the values are those of `DEBUG_VAR_FLAG` without the four bits below them.
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "VAR_FLAG_")]
 pub enum DebugVarAxis {
     /// It belongs to no axis.
     #[wire(spec = "NONE")]
     None = 0,
     /// ROLL.
-    #[wire(spec = "VAR_FLAG_ROLL")]
     Roll = 1,
     /// PITCH.
-    #[wire(spec = "VAR_FLAG_PITCH")]
     Pitch = 2,
     /// YAW.
-    #[wire(spec = "VAR_FLAG_YAW")]
     Yaw = 3,
 }
 bit_enums!(DebugVarType, DebugVarAxis);
 
-/// Asks for the values of all debug variables.
+/// Requests the values of all debug variables.
 #[message(CMD_DEBUG_VARS_3, outgoing, form = "simple", default, size = 0, length = 0, answer = DebugVars3<'answer>)]
 #[derive(Copy)]
-pub struct DebugVars3Request {}
+pub struct DebugVars3Request;
 
-/// Asks for the values of some debug variables.
+/// Requests the values of selected debug variables.
 ///
 /// The answer repeats the masks before the values.
 #[message(
     CMD_DEBUG_VARS_3, outgoing, form = "extended", size = 4..=32, length = 4.., since = "2.72b0",
-    answer = DebugVars3<'answer>, echo = same(selected_mask => var_value)
+    answer = DebugVars3Masked<'answer>,
+    given = self.selected_mask.len(), echo = selected_mask
 )]
 pub struct DebugVars3ExtendedRequest {
-    /// Bit i of mask k asks for variable 32 k + i. As many masks as reach to the last of them.
+    /// Bit i of mask k selects variable 32 k + i. Send as many masks as reach the last selected variable.
     pub selected_mask: List<u32, 8>,
 }
 
 impl DebugVars3ExtendedRequest {
-    /// Asks for the variables with these numbers, counted from 0.
+    /// Requests the variables with these numbers, counted from 0.
     ///
     /// # Errors
-    /// When one of them is greater than 255.
-    pub fn of(variables: impl IntoIterator<Item = usize>) -> Result<Self, OutOfRange> {
+    /// If one of them is greater than 255.
+    pub fn new(variables: impl IntoIterator<Item = usize>) -> Result<Self, OutOfRange> {
         let mut request = Self::default();
         for variable in variables {
             while request.selected_mask.len() <= variable / 32 {
@@ -165,7 +164,7 @@ impl DebugVars3ExtendedRequest {
 #[message(CMD_DEBUG_VARS_3, incoming, size = 0..=255)]
 #[derive(Copy)]
 pub struct DebugVars3<'a> {
-    /// The values; to a request with masks, the masks and the values.
+    /// Values; in the answer to a request with masks, the masks and the values.
     pub var_value: &'a [u8],
 }
 
@@ -186,10 +185,10 @@ impl<'a> DebugVars3<'a> {
         DebugVarValues { payload: self.var_value, rest: self.var_value, kinds: kinds.into_iter() }
     }
 
-    /// Takes it as the answer to a request with so many masks.
+    /// Interprets the payload as the answer to a request with this number of masks.
     ///
     /// # Errors
-    /// When it has not even the masks.
+    /// If it has not even the masks.
     pub fn masked(&self, masks: usize) -> Result<DebugVars3Masked<'a>, DecodeError> {
         DebugVars3Masked::decode_with(self.var_value, masks).map(|(message, _)| message)
     }
@@ -200,7 +199,7 @@ impl DebugVars3<'_> {
     /// Visits the values as numbers of the kinds that the variables have, each as `var_value[index]`.
     ///
     /// # Errors
-    /// When a kind is none that is known, or the payload ends within a value. The values before it were visited.
+    /// If a kind is none that is known, or the payload ends within a value. The values before it were visited.
     pub fn walk_values(
         &self,
         kinds: impl IntoIterator<Item = DebugVarKind>,
@@ -228,7 +227,7 @@ impl DebugVars3<'_> {
     }
 }
 
-/// Values of the debug variables that were asked for.
+/// Values of the requested debug variables.
 ///
 /// The masks come first, as newer documents agree; the vendor's C library passes over them in a way that cannot be
 /// right.
@@ -244,7 +243,7 @@ pub struct DebugVars3Masked<'a> {
 }
 
 impl<'a> DebugVars3Masked<'a> {
-    /// The values, by the kinds of the variables that were asked for.
+    /// Values, by the kinds of the requested variables.
     pub fn values<K: IntoIterator<Item = DebugVarKind>>(&self, kinds: K) -> DebugVarValues<'a, K::IntoIter> {
         DebugVars3 { var_value: self.var_value }.values(kinds)
     }

@@ -76,12 +76,12 @@ fn values_are_read_by_their_kinds() {
 /// Made by hand from the layout.
 #[test]
 fn masks_choose_variables() {
-    let request = DebugVars3ExtendedRequest::of([5, 1, 2, 3, 4]).unwrap();
+    let request = DebugVars3ExtendedRequest::new([5, 1, 2, 3, 4]).unwrap();
     assert_eq!(request.encode(&mut [0; 32]), Ok(&[0x3E, 0, 0, 0][..]));
-    let request = DebugVars3ExtendedRequest::of([0, 33, 255]).unwrap();
+    let request = DebugVars3ExtendedRequest::new([0, 33, 255]).unwrap();
     assert_eq!(request.selected_mask.len(), 8);
     assert_eq!(request.variables().collect::<Vec<_>>(), [0, 33, 255]);
-    assert!(DebugVars3ExtendedRequest::of([256]).is_err());
+    assert!(DebugVars3ExtendedRequest::new([256]).is_err());
     assert!(DebugVars3Request::accepts(0) && !DebugVars3Request::accepts(4));
 
     let payload = [0x06, 0, 0, 0, 200, 0, 0xF0];

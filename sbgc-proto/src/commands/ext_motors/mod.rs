@@ -1,15 +1,16 @@
-//! Auxiliary motors: up to seven besides those of the gimbal. Firmware 2.73 and later.
+//! Auxiliary motors: up to seven besides those of the gimbal. Firmware 2.73+.
 
 #[cfg(test)]
 mod tests;
 
 use sbgc_proto_macros::{message, open_enum, record};
 
+use crate::declare::{bit_enums, bit_fields, flags};
 use crate::units::{Angle, ControlRate, FineAngle, MicroRate, MotorAccelerationLimit, MotorSpeedLimit};
-use crate::wire::{List, bit_enums, bit_fields, flags};
+use crate::wire::List;
 
 flags! {
-    /// Auxiliary motors, and whether a command to them is confirmed. Spec: `EXT_MOTORS`.
+    /// Auxiliary motors, and whether a command is confirmed. Spec: `EXT_MOTORS`.
     pub struct ExtMotors: u8 {
         /// Motor 1.
         const MOTOR1 = 1 << 0;
@@ -25,60 +26,58 @@ flags! {
         const MOTOR6 = 1 << 5;
         /// Motor 7.
         const MOTOR7 = 1 << 6;
-        /// The command is confirmed. Without meaning where the state is asked for.
+        /// Requests a confirmation of the command. Ignored in state requests.
         const CONFIRM = 1 << 7;
     }
 }
 
 impl ExtMotors {
-    /// How many motors these are.
+    /// Number of motors.
     pub const fn count(self) -> usize {
         // At most 7.
         (self.bits() & !Self::CONFIRM.bits()).count_ones() as usize
     }
 }
 
-/// Makes auxiliary motors do something.
+/// Switches, homes or releases auxiliary motors.
 ///
-/// It is confirmed with [`ExtMotors::CONFIRM`].
+/// Confirmed with [`ExtMotors::CONFIRM`].
 #[message(CMD_EXT_MOTORS_ACTION, outgoing, size = 2..=255, since = "2.73.0")]
 pub struct ExtMotorsAction<'a> {
-    /// Which motors.
+    /// Motors the command applies to.
     pub for_motors: ExtMotors,
-    /// What they do.
+    /// Action of the motors.
     pub action: ExtMotorAction,
     /// Arguments of the action; none is known to have any.
     pub args: &'a [u8],
 }
 
-/// What an auxiliary motor does. Spec: `EXT_MOTOR_ACTION`.
-#[open_enum(u8)]
+/// Action of an auxiliary motor. Spec: `EXT_MOTOR_ACTION`.
+#[open_enum(u8, prefix = "MOTOR_")]
 pub enum ExtMotorAction {
     /// Off, and turns freely.
-    #[wire(spec = "MOTOR_OFF_FLOATING")]
     OffFloating = 1,
     /// Off, and is braked.
-    #[wire(spec = "MOTOR_OFF_BRAKE")]
     OffBrake = 2,
     /// Comes to rest with less and less power, then off.
-    #[wire(spec = "MOTOR_OFF_SAFE")]
     OffSafe = 3,
     /// On.
-    #[wire(spec = "MOTOR_ON")]
     On = 4,
     /// Goes to the home position.
+    #[wire(spec = "HOME_POSITION")]
     HomePosition = 5,
     /// Looks for the home position.
+    #[wire(spec = "SEARCH_HOME")]
     SearchHome = 6,
 }
 
 /// Gives set-points to auxiliary motors.
 ///
-/// It is confirmed with [`ExtMotors::CONFIRM`]. How many set-points there are is not settled: there is one for each
+/// It is confirmed with [`ExtMotors::CONFIRM`]. How many set-points there are is unknown: there is one for each
 /// chosen motor here, while the vendor's libraries send three or seven copies of one. Best send one motor at a time.
 #[message(CMD_EXT_MOTORS_CONTROL, outgoing, size = 2..=58, since = "2.73.0")]
 pub struct ExtMotorsControl {
-    /// Which motors.
+    /// Motors the command applies to.
     pub for_motors: ExtMotors,
     /// What there is for each.
     pub data_set: ExtMotorsControlDataSet,
@@ -87,20 +86,20 @@ pub struct ExtMotorsControl {
     pub motors: List<ExtMotorSetpoint, 7>,
 }
 
-/// The set-point of one motor. What its numbers mean is for the motor's [`ExtMotorControlMode`] to say.
+/// Set-point of one motor. The motor's [`ExtMotorControlMode`] defines the meaning of the numbers.
 #[record(context(set: ExtMotorsControlDataSet))]
 #[derive(Copy)]
 pub struct ExtMotorSetpoint {
-    /// Torque, 32767 for the greatest; or speed, in steps of [`ControlRate`]; or position, in steps of [`Angle`].
+    /// Torque (32767 is the maximum), speed in steps of [`ControlRate`], or position in steps of [`Angle`].
     ///
     /// A position that goes on after a turn is followed by the board.
     #[wire(when = !set.contains(ExtMotorsControlDataSet::SETPOINT_32BIT))]
     pub setpoint: Option<i16>,
     /// Speed or position in 4 bytes, not torque; the steps are other ones and not published.
-    #[wire(spec = "SETPOINT", when = set.contains(ExtMotorsControlDataSet::SETPOINT_32BIT))]
+    #[wire(spec = "SETPOINT", flag = SETPOINT_32BIT)]
     pub setpoint_32bit: Option<i32>,
-    /// For speed the angle in place of the computed one, for position the greatest speed.
-    #[wire(when = set.contains(ExtMotorsControlDataSet::PARAM1_16BIT))]
+    /// For speed the angle in place of the computed one, for position the maximum speed.
+    #[wire(flag = PARAM1_16BIT)]
     pub param1: Option<i16>,
     /// The same in 4 bytes.
     #[wire(spec = "PARAM1", when = set.has_long_param1())]
@@ -108,7 +107,7 @@ pub struct ExtMotorSetpoint {
 }
 
 flags! {
-    /// What a set-point consists of. Spec: `EXT_MOTORS_CONTROL_DATA_SET`.
+    /// Selection of set-point fields. Spec: `EXT_MOTORS_CONTROL_DATA_SET`.
     pub struct ExtMotorsControlDataSet: u8 {
         /// The set-point has 4 bytes, not 2.
         const SETPOINT_32BIT = 1 << 0;
@@ -128,48 +127,48 @@ impl ExtMotorsControlDataSet {
 
 /// Sets how auxiliary motors are controlled, until the next restart.
 ///
-/// It is confirmed with [`ExtMotors::CONFIRM`].
-#[message(CMD_EXT_MOTORS_CONTROL_CONFIG, outgoing, size = 3..=12, since = "2.73.0")]
+/// Confirmed with [`ExtMotors::CONFIRM`].
+#[message(CMD_EXT_MOTORS_CONTROL_CONFIG, outgoing, size = 3..=12, since = "2.73.0", flags = data_set)]
 #[derive(Copy)]
 pub struct ExtMotorsControlConfig {
-    /// Which motors.
+    /// Motors the command applies to.
     pub for_motors: ExtMotors,
-    /// What follows.
+    /// Flags that select the following fields.
     pub data_set: ExtMotorsControlConfigDataSet,
-    /// What is controlled.
-    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MODE))]
+    /// Controlled quantity.
+    #[wire(flag = MODE)]
     pub mode: Option<ExtMotorControlMode>,
-    /// Greatest speed.
-    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MAX_SPEED))]
+    /// Maximum speed.
+    #[wire(flag = MAX_SPEED)]
     pub max_speed: Option<MotorSpeedLimit>,
-    /// Greatest acceleration, for speed and position.
-    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MAX_ACCELERATION))]
+    /// Maximum acceleration, for speed and position.
+    #[wire(flag = MAX_ACCELERATION)]
     pub max_acceleration: Option<MotorAccelerationLimit>,
     /// Time in which an acceleration builds up, for speed and position.
-    #[wire(unit = "ms", when = data_set.contains(ExtMotorsControlConfigDataSet::JERK_SLOPE))]
+    #[wire(unit = "ms", flag = JERK_SLOPE)]
     pub jerk_slope: Option<u16>,
-    /// Greatest torque, relative to the greatest that the motor has.
-    #[wire(when = data_set.contains(ExtMotorsControlConfigDataSet::MAX_TORQUE))]
+    /// Maximum torque, relative to the maximum of the motor.
+    #[wire(flag = MAX_TORQUE)]
     pub max_torque: Option<u16>,
 }
 
 flags! {
     /// Settings of auxiliary motors. Spec: `EXT_MOTORS_CONTROL_CONFIG_DATA_SET`.
     pub struct ExtMotorsControlConfigDataSet: u16 {
-        /// What is controlled.
+        /// Controlled quantity.
         const MODE = 1 << 0;
-        /// Greatest speed.
+        /// Maximum speed.
         const MAX_SPEED = 1 << 1;
-        /// Greatest acceleration.
+        /// Maximum acceleration.
         const MAX_ACCELERATION = 1 << 2;
         /// Time in which an acceleration builds up.
         const JERK_SLOPE = 1 << 3;
-        /// Greatest torque.
+        /// Maximum torque.
         const MAX_TORQUE = 1 << 4;
     }
 }
 
-/// What of an auxiliary motor is controlled. Spec: `EXT_MOTOR_CONTROL_MODE`.
+/// Controlled quantity of an auxiliary motor. Spec: `EXT_MOTOR_CONTROL_MODE`.
 #[open_enum(u8)]
 pub enum ExtMotorControlMode {
     /// Its position.
@@ -180,124 +179,124 @@ pub enum ExtMotorControlMode {
     Torque = 2,
 }
 
-/// Asks for the state of auxiliary motors: each chosen motor answers with a message of its own.
+/// Requests the state of auxiliary motors; each selected motor is reported in a message of its own.
 #[message(CMD_EXT_MOTORS_STATE, outgoing, size = 5, since = "2.73.0", answer = ExtMotorsState, echo = [one_of(for_motors => motor_id), data_set])]
 #[derive(Copy)]
 pub struct ExtMotorsStateRequest {
-    /// Which motors.
+    /// Motors the command applies to.
     pub for_motors: ExtMotors,
-    /// What is asked for.
+    /// Flags that select the fields of the answer.
     pub data_set: ExtMotorsStateDataSet,
 }
 
 /// The state of one auxiliary motor.
 ///
 /// It can be had as a data stream; the configuration of that is the payload of [`ExtMotorsStateRequest`].
-#[message(CMD_EXT_MOTORS_STATE, incoming, size = 5..=50, since = "2.73.0")]
+#[message(CMD_EXT_MOTORS_STATE, incoming, size = 5..=50, since = "2.73.0", flags = data_set)]
 #[derive(Copy)]
 pub struct ExtMotorsState {
-    /// Which motor, counted from 0.
+    /// Motor number, counted from 0.
     #[wire(range = 0..=6)]
     pub motor_id: u8,
-    /// What follows.
+    /// Flags that select the following fields.
     pub data_set: ExtMotorsStateDataSet,
-    /// What is controlled.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::CONTROL_MODE))]
+    /// Controlled quantity.
+    #[wire(flag = CONTROL_MODE)]
     pub control_mode: Option<ExtMotorControlMode>,
-    /// Torque, 32767 for the greatest of the driver.
-    #[wire(range = -32767..=32767, when = data_set.contains(ExtMotorsStateDataSet::TORQUE))]
+    /// Torque; 32767 is the maximum of the driver.
+    #[wire(range = -32767..=32767, flag = TORQUE)]
     pub torque: Option<i16>,
-    /// Torque that is asked for, 32767 for the greatest of the driver.
-    #[wire(range = -32767..=32767, when = data_set.contains(ExtMotorsStateDataSet::TORQUE_SETPOINT))]
+    /// Target torque; 32767 is the maximum of the driver.
+    #[wire(range = -32767..=32767, flag = TORQUE_SETPOINT)]
     pub torque_setpoint: Option<i16>,
     /// Speed.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED16))]
+    #[wire(flag = SPEED16)]
     pub speed16: Option<ControlRate>,
-    /// Speed that is asked for.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED16_SETPOINT))]
+    /// Target speed.
+    #[wire(flag = SPEED16_SETPOINT)]
     pub speed16_setpoint: Option<ControlRate>,
     /// Speed in fine steps.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED32))]
+    #[wire(flag = SPEED32)]
     pub speed32: Option<MicroRate>,
-    /// Speed that is asked for, in fine steps.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::SPEED32_SETPOINT))]
+    /// Target speed, in fine steps.
+    #[wire(flag = SPEED32_SETPOINT)]
     pub speed32_setpoint: Option<MicroRate>,
     /// Position.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE16))]
+    #[wire(flag = ANGLE16)]
     pub angle16: Option<Angle>,
-    /// Position that is asked for.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE16_SETPOINT))]
+    /// Target position.
+    #[wire(flag = ANGLE16_SETPOINT)]
     pub angle16_setpoint: Option<Angle>,
     /// Position in fine steps.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE32))]
+    #[wire(flag = ANGLE32)]
     pub angle32: Option<FineAngle>,
-    /// Position that is asked for, in fine steps.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::ANGLE32_SETPOINT))]
+    /// Target position, in fine steps.
+    #[wire(flag = ANGLE32_SETPOINT)]
     pub angle32_setpoint: Option<FineAngle>,
-    /// Whether it is on, and its pins.
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::STATE_FLAGS))]
+    /// Motor state and pins.
+    #[wire(flag = STATE_FLAGS)]
     pub state_flags: Option<ExtMotorStateFlags>,
-    /// Greatest speed. The unit is not given here; see [`ExtMotorsControlConfig::max_speed`].
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::MAX_SPEED))]
+    /// Maximum speed. The unit is not documented here; see [`ExtMotorsControlConfig::max_speed`].
+    #[wire(flag = MAX_SPEED)]
     pub max_speed: Option<u16>,
-    /// Greatest acceleration. The unit is not given here; see [`ExtMotorsControlConfig::max_acceleration`].
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::MAX_ACCELERATION))]
+    /// Maximum acceleration. The unit is not documented here; see [`ExtMotorsControlConfig::max_acceleration`].
+    #[wire(flag = MAX_ACCELERATION)]
     pub max_acceleration: Option<u16>,
     /// Time in which an acceleration builds up. The unit is not given here; see
     /// [`ExtMotorsControlConfig::jerk_slope`].
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::JERK_SLOPE))]
+    #[wire(flag = JERK_SLOPE)]
     pub jerk_slope: Option<u16>,
-    /// Greatest torque. The unit is not given here; see [`ExtMotorsControlConfig::max_torque`].
-    #[wire(when = data_set.contains(ExtMotorsStateDataSet::MAX_TORQUE))]
+    /// Maximum torque. The unit is not documented here; see [`ExtMotorsControlConfig::max_torque`].
+    #[wire(flag = MAX_TORQUE)]
     pub max_torque: Option<u16>,
     /// Current.
-    #[wire(unit = "mA", when = data_set.contains(ExtMotorsStateDataSet::CURRENT))]
+    #[wire(unit = "mA", flag = CURRENT)]
     pub current: Option<u16>,
     /// Voltage of the battery.
-    #[wire(unit = "mV", when = data_set.contains(ExtMotorsStateDataSet::BATTERY_VOLTAGE))]
+    #[wire(unit = "mV", flag = BATTERY_VOLTAGE)]
     pub battery_voltage: Option<u16>,
     /// Temperature of the motor.
-    #[wire(unit = "degC", when = data_set.contains(ExtMotorsStateDataSet::MOTOR_TEMPERATURE))]
+    #[wire(unit = "degC", flag = MOTOR_TEMPERATURE)]
     pub motor_temperature: Option<i8>,
     /// Temperature of the driver.
-    #[wire(unit = "degC", when = data_set.contains(ExtMotorsStateDataSet::DRIVER_TEMPERATURE))]
+    #[wire(unit = "degC", flag = DRIVER_TEMPERATURE)]
     pub driver_temperature: Option<i8>,
 }
 
 flags! {
     /// Parts of the state of an auxiliary motor. Spec: `EXT_MOTORS_STATE_DATA_SET`.
     pub struct ExtMotorsStateDataSet: u32 {
-        /// What is controlled.
+        /// Controlled quantity.
         const CONTROL_MODE = 1 << 0;
         /// Torque.
         const TORQUE = 1 << 1;
-        /// Torque that is asked for.
+        /// Target torque.
         const TORQUE_SETPOINT = 1 << 2;
         /// Speed.
         const SPEED16 = 1 << 3;
-        /// Speed that is asked for.
+        /// Target speed.
         const SPEED16_SETPOINT = 1 << 4;
         /// Speed in fine steps.
         const SPEED32 = 1 << 5;
-        /// Speed that is asked for, in fine steps.
+        /// Target speed, in fine steps.
         const SPEED32_SETPOINT = 1 << 6;
         /// Position.
         const ANGLE16 = 1 << 7;
-        /// Position that is asked for.
+        /// Target position.
         const ANGLE16_SETPOINT = 1 << 8;
         /// Position in fine steps.
         const ANGLE32 = 1 << 9;
-        /// Position that is asked for, in fine steps.
+        /// Target position, in fine steps.
         const ANGLE32_SETPOINT = 1 << 10;
-        /// Whether it is on, and its pins.
+        /// Motor state and pins.
         const STATE_FLAGS = 1 << 11;
-        /// Greatest speed.
+        /// Maximum speed.
         const MAX_SPEED = 1 << 12;
-        /// Greatest acceleration.
+        /// Maximum acceleration.
         const MAX_ACCELERATION = 1 << 13;
         /// Time in which an acceleration builds up.
         const JERK_SLOPE = 1 << 14;
-        /// Greatest torque.
+        /// Maximum torque.
         const MAX_TORQUE = 1 << 15;
         /// Current.
         const CURRENT = 1 << 16;
@@ -316,7 +315,7 @@ bit_fields! {
         /// Whether it is on, or how it is off.
         0..=1 => power / with_power "MOTOR_STATE": ExtMotorPower,
         /// The level of the index pin.
-        2..=2 => index_pin / with_index_pin "INDEX_PIN_STATE": bool,
+        2 => index_pin / with_index_pin "INDEX_PIN_STATE": bool,
     }
 }
 

@@ -2,16 +2,17 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::wire::{Bytes, Float, PerXyz, bit_enums, bit_fields};
+use crate::declare::{bit_enums, bit_fields};
+use crate::wire::{Bytes, Float, PerXyz};
 
-/// Gives the board an attitude from outside, or asks for its own.
+/// Sets the attitude of an IMU from an external source, or requests it.
 ///
-/// The first bit of the mode says which. To give, send it 20 to 50 times a second; nothing answers. When it asks, the
-/// vectors are ignored and [`AhrsHelper`] answers; this form is the safe one for that, and [`AhrsHelperShortRequest`]
-/// the one that newer libraries send.
+/// Bit 0 of the mode selects set or get. To set, send it 20 to 50 times per second; there is no answer. For a request,
+/// the vectors are ignored and [`AhrsHelper`] answers; this form is the safe one for that, and
+/// [`AhrsHelperShortRequest`] the one that newer libraries send.
 #[message(CMD_AHRS_HELPER, outgoing, form = "mode2u", default, size = 26, since = "2.69b5")]
 pub struct AhrsHelperRequest {
-    /// What to do, with which sensor.
+    /// Action and sensor.
     pub mode: AhrsHelperMode,
     /// Unit vector that points down.
     #[wire(range = -1.0..=1.0)]
@@ -21,12 +22,12 @@ pub struct AhrsHelperRequest {
     pub h_vect: PerXyz<Float>,
 }
 
-/// Gives firmware before 2.69b5 an attitude from outside, or asks for its own: the mode has one byte.
+/// Sets or requests the attitude of an IMU, with a one-byte mode, for firmware before 2.69b5.
 ///
 /// All else is as with [`AhrsHelperRequest`].
 #[message(CMD_AHRS_HELPER, outgoing, form = "mode1u", size = 25, length = 25)]
 pub struct AhrsHelperLegacyRequest {
-    /// What to do, with which sensor.
+    /// Action and sensor.
     pub mode: AhrsHelperModeByte,
     /// Unit vector that points down.
     #[wire(range = -1.0..=1.0)]
@@ -36,14 +37,14 @@ pub struct AhrsHelperLegacyRequest {
     pub h_vect: PerXyz<Float>,
 }
 
-/// Asks for the attitude of a sensor without sending vectors that are ignored.
+/// Requests the attitude of a sensor without sending vectors that are ignored.
 ///
 /// The spec does not have it, but the vendor's libraries send it so. Firmware before 2.69b5 takes a mode of one byte,
-/// later firmware one of two. Whether old firmware takes this form at all is not settled; ask it with
+/// later firmware one of two. Whether old firmware accepts this form is unknown; for it, use
 /// [`AhrsHelperLegacyRequest`].
 #[message(CMD_AHRS_HELPER, outgoing, form = "get_short", size = 1..=2, length = 1..=2, answer = AhrsHelper)]
 pub struct AhrsHelperShortRequest {
-    /// Which sensor; not to be a mode that gives an attitude.
+    /// Sensor; must not be a mode that sets an attitude.
     pub mode: AhrsHelperModeByte,
     /// The high byte of the mode, zero.
     pub mode_high: Option<u8>,
@@ -68,7 +69,7 @@ pub struct AhrsHelper {
 /// stand is published. So these bytes stay as they came.
 #[message(CMD_AHRS_HELPER, incoming, form = "stream", size = 26, length = 26)]
 pub struct AhrsHelperStream {
-    /// The payload.
+    /// Payload bytes.
     pub data: Bytes<26>,
 }
 
@@ -76,40 +77,40 @@ macro_rules! modes {
     ($(
         $(#[doc = $doc:literal])+
         $name:ident: $integer:ident {
-            $($(#[doc = $part_doc:literal])+ $low:literal..=$high:literal => $part:ident / $with:ident $spec:literal: $ty:ty,)*
+            $($(#[doc = $part_doc:literal])+ $low:literal $(..= $high:literal)? => $part:ident / $with:ident $spec:literal: $ty:ty,)*
         }
     )*) => { $(
         bit_fields! {
             $(#[doc = $doc])+
             pub struct $name: $integer {
-                /// Whether an attitude is given; else the board is asked for one.
-                0..=0 => set / with_set "SET": bool,
+                /// Whether an attitude is set; otherwise one is requested.
+                0 => set / with_set "SET": bool,
                 /// Whether the sensor on the frame is meant; else the one on the camera platform.
-                1..=1 => frame_imu / with_frame_imu "FRAME_IMU": bool,
+                1 => frame_imu / with_frame_imu "FRAME_IMU": bool,
                 /// Use as a reference to correct the sensor by, with all internal references off; else as its attitude.
-                2..=2 => use_as_reference / with_use_as_reference "USE_AS_REFERENCE": bool,
+                2 => use_as_reference / with_use_as_reference "USE_AS_REFERENCE": bool,
                 /// Also translate from camera to frame or back, and use that as a reference. Wants known motor angles.
-                3..=3 => translate / with_translate "TRANSLATE": bool,
+                3 => translate / with_translate "TRANSLATE": bool,
                 /// Take the vertical only.
-                4..=4 => z_only / with_z_only "Z_ONLY": bool,
+                4 => z_only / with_z_only "Z_ONLY": bool,
                 /// Take the heading only.
-                5..=5 => h_only / with_h_only "H_ONLY": bool,
-                /// Translate the vertical only. Firmware 2.69b5 and later.
-                6..=6 => translate_z_only / with_translate_z_only "TRANSLATE_Z_ONLY": bool,
-                /// Translate the heading only. Firmware 2.69b5 and later.
-                7..=7 => translate_h_only / with_translate_h_only "TRANSLATE_H_ONLY": bool,
-                $($(#[doc = $part_doc])+ $low..=$high => $part / $with $spec: $ty,)*
+                5 => h_only / with_h_only "H_ONLY": bool,
+                /// Translate the vertical only. Firmware 2.69b5+.
+                6 => translate_z_only / with_translate_z_only "TRANSLATE_Z_ONLY": bool,
+                /// Translate the heading only. Firmware 2.69b5+.
+                7 => translate_h_only / with_translate_h_only "TRANSLATE_H_ONLY": bool,
+                $($(#[doc = $part_doc])+ $low $(..= $high)? => $part / $with $spec: $ty,)*
             }
         }
 
         impl $name {
-            /// Ask for the attitude of the sensor on the camera platform.
+            /// Requests the attitude of the IMU on the camera platform.
             pub const GET_MAIN: Self = Self(0);
-            /// The attitude of the camera, in place of what its sensor says. The source sits on the camera platform.
+            /// Sets the camera attitude in place of that of its IMU. The source is on the camera platform.
             pub const SET_CAMERA_ATTITUDE: Self = Self(1);
             /// Ask for the attitude of the sensor on the frame.
             pub const GET_FRAME: Self = Self(2);
-            /// The attitude of the frame, whether there is a sensor or not. The source sits on the frame.
+            /// Sets the frame attitude, with or without a frame IMU. The source is on the frame.
             pub const SET_FRAME_ATTITUDE: Self = Self(3);
             /// A reference for the sensor on the camera platform, which corrects its gyroscope with the factor
             /// `GYRO_TRUST`. The source sits on the camera platform.
@@ -127,7 +128,7 @@ macro_rules! modes {
 }
 
 modes! {
-    /// What to do with an attitude. Spec: `AHRS_HELPER_MODE`.
+    /// Use of an attitude. Spec: `AHRS_HELPER_MODE`.
     ///
     /// The constants are the combinations that the spec names; `z_only` and `h_only` can be added to those that give
     /// an attitude.
@@ -139,12 +140,12 @@ modes! {
     /// assert_eq!(mode, AhrsHelperMode(0b10_0101));
     /// ```
     AhrsHelperMode: u16 {
-        /// Where the source of the attitude sits. Firmware 2.69b5 and later.
+        /// Location of the attitude source. Firmware 2.69b5+.
         8..=9 => location / with_location "LOCATION": AhrsHelperLocation,
-        /// Do not correct by the internal sensors. Firmware 2.70b1 and later.
-        10..=10 => disable_internal_correction / with_disable_internal_correction "DISABLE_INTERNAL_CORRECTION": bool,
+        /// Do not correct by the internal sensors. Firmware 2.70b1+.
+        10 => disable_internal_correction / with_disable_internal_correction "DISABLE_INTERNAL_CORRECTION": bool,
     }
-    /// What to do with an attitude, in one byte. Spec: `AHRS_HELPER_MODE`.
+    /// Use of an attitude, in one byte. Spec: `AHRS_HELPER_MODE`.
     ///
     /// The low byte of an [`AhrsHelperMode`], which is what firmware before 2.69b5 has.
     AhrsHelperModeByte: u8 {}
@@ -156,10 +157,10 @@ impl From<AhrsHelperModeByte> for AhrsHelperMode {
     }
 }
 
-/// Where an external source of attitude sits: bits 8 and 9 of the mode.
+/// Location of an external attitude source: bits 8 and 9 of the mode.
 #[open_enum(u8)]
 pub enum AhrsHelperLocation {
-    /// Where the sensor of the frame is.
+    /// Location of the frame sensor.
     WithFrameImu = 0,
     /// On the frame.
     OnFrame = 1,

@@ -3,17 +3,18 @@
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::commands::AhrsDebugInfo;
-use crate::wire::{Float, PerXyz, flags};
+use crate::declare::flags;
+use crate::wire::{Float, PerXyz};
 
-/// Asks what the external inertial sensor tells.
+/// Requests debug information of the external IMU.
 ///
-/// The specification has the answer only; the vendor's libraries ask for it like this.
+/// The specification defines only the answer; the vendor's libraries request it like this.
 #[message(CMD_EXT_IMU_DEBUG_INFO, outgoing, size = 0, since = "2.66", answer = ExtImuDebugInfo)]
-pub struct ExtImuDebugInfoRequest {}
+pub struct ExtImuDebugInfoRequest;
 
-/// What the external inertial sensor tells.
+/// Debug information of the external IMU.
 ///
-/// It may also come without being asked for: newer documents call it a notification.
+/// It may also be sent unsolicited: newer documents call it a notification.
 #[message(CMD_EXT_IMU_DEBUG_INFO, incoming, size = 74, since = "2.66")]
 pub struct ExtImuDebugInfo {
     /// State of the estimate of attitude.
@@ -53,7 +54,7 @@ pub struct ExtImuCmd<'a> {
 /// flags; its own code and the other libraries have them.
 #[message(CMD_EXT_SENS_CMD, outgoing, size = 2..=255, since = "2.68b7")]
 pub struct ExtSensCmdRequest<'a> {
-    /// How to pass it on.
+    /// Options for forwarding the message.
     pub flags: ExtSensFlags,
     /// Command of the sensor's own protocol.
     pub cmd_id: GpsImuCmd,
@@ -63,7 +64,7 @@ pub struct ExtSensCmdRequest<'a> {
 
 /// A message from a GPS_IMU, on boards of the extended family.
 ///
-/// In this direction there are no flags.
+/// This direction has no flags.
 #[message(CMD_EXT_SENS_CMD, incoming, size = 1..=255, since = "2.68b7")]
 pub struct ExtSensCmd<'a> {
     /// Command of the sensor's own protocol.
@@ -73,7 +74,7 @@ pub struct ExtSensCmd<'a> {
 }
 
 flags! {
-    /// How a message is passed on to a sensor.
+    /// Options for forwarding a message to a sensor.
     pub struct ExtSensFlags: u8 {
         /// Before others.
         const HIGH_PRIORITY = 1 << 0;
@@ -91,11 +92,11 @@ pub enum GpsImuCmd {
     ResetNotify = 3,
     /// Asks what the sensor is.
     GetDeviceInfo = 4,
-    /// What the sensor is.
+    /// Sensor type.
     DeviceInfo = 5,
-    /// Asks for data.
+    /// Requests data.
     GetData = 6,
-    /// Asks for a stream of data.
+    /// Requests a stream of data.
     GetDataStream = 7,
     /// Data.
     Data = 8,
@@ -105,7 +106,7 @@ pub enum GpsImuCmd {
     BootMode = 10,
     /// Logs data of the user.
     UserDataLog = 11,
-    /// Asks for the configuration of the user's log.
+    /// Requests the configuration of the user's log.
     GetUserConfLog = 12,
     /// The configuration of the user's log.
     UserConfLog = 13,

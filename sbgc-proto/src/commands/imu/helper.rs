@@ -2,13 +2,14 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
+use crate::declare::{bit_enums, bit_fields};
 use crate::units::{Acceleration, Angle, FrameHeading, SensorRate};
-use crate::wire::{PerXyz, Reserved, bit_enums, bit_fields};
+use crate::wire::{PerXyz, Reserved};
 
 /// Says how the frame moves, so that the estimate of attitude does not suffer from it.
 ///
-/// For the acceleration alone, all else zero, 10 to 20 times a second are enough, for the board filters it strongly.
-/// With the angular speed it should come up to 125 times a second. Neither confirmed nor answered.
+/// For the acceleration alone, all else zero, 10 to 20 times per second are enough, for the board filters it strongly.
+/// With the angular speed it should come up to 125 times per second. Neither confirmed nor answered.
 ///
 /// To test on the bench, set the parameter ACC LPF to 5 to 10 Hz and watch `IMU_G_ERR` of the real-time data: without
 /// this command shaking the gimbal raises it, with correct accelerations it stays near zero, however the frame is
@@ -21,14 +22,14 @@ pub struct HelperData {
     pub frame_angle_roll: Angle,
     /// Pitch of the outer frame; zero when not known.
     pub frame_angle_pitch: Angle,
-    /// Which system of coordinates, and what is to be used.
+    /// Coordinate system and the values to use.
     pub flags: HelperDataFlags,
     /// Angular speed of the frame; zero when not known. Helps where there is neither encoder nor sensor on the frame.
     pub frame_speed: PerXyz<SensorRate>,
     /// Heading of the frame against North, from -180 to 180 or from 0 to 360 degrees; ignored without its flag.
     ///
     /// The first one sets the yaw angle, later ones only correct the drift of the gyroscope. If the frame is fixed one
-    /// is enough, if it moves 10 to 50 a second are needed. Older firmware has these bytes reserved.
+    /// is enough, if it moves 10 to 50 per second are needed. Older firmware has these bytes reserved.
     #[wire(range = -16384..=16384, since = "2.62b7")]
     pub frame_heading: FrameHeading,
     pub reserved: Reserved<1>,
@@ -49,32 +50,29 @@ pub struct HelperDataLegacy {
 }
 
 bit_fields! {
-    /// How motion of the frame is meant. Spec: `HELPER_DATA_FLAGS`.
+    /// Interpretation of the frame motion. Spec: `HELPER_DATA_FLAGS`.
     pub struct HelperDataFlags: u8 {
         /// System of coordinates of the vectors.
         0..=2 => coord_sys / with_coord_sys "HELPER_COORD_SYS": HelperCoordSys,
-        /// Angles are Euler angles in the order roll, pitch, yaw. Firmware 2.70b7 and later.
-        6..=6 => euler_order_roll_pitch_yaw / with_euler_order_roll_pitch_yaw "EULER_ORDER_ROLL_PITCH_YAW": bool,
-        /// The heading is to be used. Firmware 2.62b7 and later.
-        7..=7 => use_frame_heading / with_use_frame_heading "USE_FRAME_HEADING": bool,
+        /// Angles are Euler angles in the order roll, pitch, yaw. Firmware 2.70b7+.
+        6 => euler_order_roll_pitch_yaw / with_euler_order_roll_pitch_yaw "EULER_ORDER_ROLL_PITCH_YAW": bool,
+        /// The heading is to be used. Firmware 2.62b7+.
+        7 => use_frame_heading / with_use_frame_heading "USE_FRAME_HEADING": bool,
     }
 }
 
 /// A system of coordinates for motion of the frame. Spec: `HELPER_COORD_SYS`.
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "COORD_SYS_")]
 pub enum HelperCoordSys {
     /// The ground, rotated about the vertical with the camera: X right, Y forward, Z down.
-    #[wire(spec = "COORD_SYS_GROUND_YAW_ROTATED")]
     GroundYawRotated = 1,
     /// The ground: X East, Y North, Z down.
     ///
     /// Needs a magnetometer, or encoders and the heading of the frame.
-    #[wire(spec = "COORD_SYS_GROUND")]
     Ground = 2,
     /// The outer frame: X right, Y forward, Z down.
     ///
     /// Needs a sensor on the frame and an encoder on yaw in regular firmware, three encoders in the one for encoders.
-    #[wire(spec = "COORD_SYS_FRAME")]
     Frame = 3,
 }
 bit_enums!(HelperCoordSys);

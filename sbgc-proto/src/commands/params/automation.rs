@@ -4,31 +4,31 @@ use sbgc_proto_macros::open_enum;
 
 use super::{MenuCommand, SerialSpeed};
 use crate::commands::TriggerPinId;
-use crate::wire::{bit_enums, bit_fields};
+use crate::declare::{bit_enums, bit_fields};
 
 bit_fields! {
     /// An action that is started by a signal when the board starts.
     pub struct StartupAction: u8 {
-        /// What is done.
+        /// Action to perform.
         0..=6 => action / with_action "ACTION": MenuCommand,
         /// Whether the menu button must be pressed for it.
-        7..=7 => button_pressed / with_button_pressed "MENU_BUTTON_PRESSED": bool,
+        7 => button_pressed / with_button_pressed "MENU_BUTTON_PRESSED": bool,
     }
 }
 
 bit_fields! {
-    /// How an axis snaps to fixed positions.
+    /// Fixed positions of an axis.
     pub struct ForcePosition: u8 {
         /// The angle between two positions.
         0..=2 => snap / with_snap "SNAP": SnapAngle,
         /// Whether a press of the button starts it.
-        4..=4 => on_button_press / with_on_button_press "FORCE_POSITION_FLAG_BUTTON_PRESS": bool,
+        4 => on_button_press / with_on_button_press "FORCE_POSITION_FLAG_BUTTON_PRESS": bool,
         /// Whether it is done at start.
-        5..=5 => on_startup / with_on_startup "FORCE_POSITION_FLAG_STARTUP": bool,
+        5 => on_startup / with_on_startup "FORCE_POSITION_FLAG_STARTUP": bool,
         /// Whether it goes beyond the soft limits.
-        6..=6 => ignores_limits / with_ignores_limits "FORCE_POSITION_FLAG_IGNORE_LIMITS": bool,
+        6 => ignores_limits / with_ignores_limits "FORCE_POSITION_FLAG_IGNORE_LIMITS": bool,
         /// Whether the position is adjusted finely afterwards.
-        7..=7 => fine_adjust / with_fine_adjust "FORCE_POSITION_FLAG_FINE_ADJUST": bool,
+        7 => fine_adjust / with_fine_adjust "FORCE_POSITION_FLAG_FINE_ADJUST": bool,
     }
 }
 
@@ -53,15 +53,15 @@ pub enum SnapAngle {
 bit_enums!(SnapAngle);
 
 bit_fields! {
-    /// How presses of a button become a signal of several steps.
+    /// Step signal: button presses converted to a signal of several steps.
     pub struct StepSignalConfig: u8 {
         /// The number of steps.
         0..=2 => steps / with_steps "STEPS": StepCount,
         /// Whether the menu button must be pressed.
-        3..=3 => button_pressed / with_button_pressed "MENU_BUTTON_PRESSED": bool,
+        3 => button_pressed / with_button_pressed "MENU_BUTTON_PRESSED": bool,
         /// Whether the signal begins with zero.
-        5..=5 => starts_at_zero / with_starts_at_zero "INITIAL_VALUE_ZERO": bool,
-        /// Which change of the source is a step.
+        5 => starts_at_zero / with_starts_at_zero "INITIAL_VALUE_ZERO": bool,
+        /// Change of the source that counts as a step.
         6..=7 => mode / with_mode "MODE": StepSignalMode,
     }
 }
@@ -98,32 +98,29 @@ pub enum StepCount {
 }
 bit_enums!(StepCount);
 
-/// Which change of its source is a step of a step signal. Spec: `STEP_SIGNAL_MODE`.
-#[open_enum(u8)]
+/// Change of the source that counts as a step. Spec: `STEP_SIGNAL_MODE`.
+#[open_enum(u8, prefix = "MODE_LEVEL_")]
 pub enum StepSignalMode {
-    /// To low.
-    #[wire(spec = "MODE_LEVEL_LOW")]
+    /// Falling.
     Low = 0,
-    /// To high.
-    #[wire(spec = "MODE_LEVEL_HIGH")]
+    /// Rising.
     High = 1,
-    /// To low and to high.
-    #[wire(spec = "MODE_LEVEL_LOW_HIGH")]
+    /// Rising and falling.
     LowHigh = 2,
 }
 bit_enums!(StepSignalMode);
 
 bit_fields! {
-    /// Which Euler axis a motor stabilizes.
+    /// Euler axis stabilized by a motor.
     pub struct StabilizedAxis: u8 {
         /// The axis that it is assigned to.
         0..=1 => axis / with_axis "STAB_AXIS": StabAxis,
         /// Whether ROLL may be chosen when it matches best.
-        2..=2 => auto_roll / with_auto_roll "AUTO_ROLL": bool,
+        2 => auto_roll / with_auto_roll "AUTO_ROLL": bool,
         /// Whether PITCH may be chosen when it matches best.
-        3..=3 => auto_pitch / with_auto_pitch "AUTO_PITCH": bool,
+        3 => auto_pitch / with_auto_pitch "AUTO_PITCH": bool,
         /// Whether YAW may be chosen when it matches best.
-        4..=4 => auto_yaw / with_auto_yaw "AUTO_YAW": bool,
+        4 => auto_yaw / with_auto_yaw "AUTO_YAW": bool,
     }
 }
 
@@ -142,18 +139,18 @@ pub enum StabAxis {
 bit_enums!(StabAxis);
 
 bit_fields! {
-    /// How a MavLink channel works.
+    /// Options of a MavLink channel.
     pub struct MavConfig: u8 {
         /// Speed of the port.
         0..=2 => baud / with_baud "FLAG_BAUD_MASK": SerialSpeed,
         /// Whether bytes have even parity.
-        3..=3 => parity_even / with_parity_even "FLAG_PARITY_EVEN": bool,
+        3 => parity_even / with_parity_even "FLAG_PARITY_EVEN": bool,
         /// Whether heartbeats are sent.
-        4..=4 => heartbeat / with_heartbeat "FLAG_HEARTBEAT": bool,
+        4 => heartbeat / with_heartbeat "FLAG_HEARTBEAT": bool,
         /// Whether the vendor's program gets debug messages.
-        5..=5 => debug / with_debug "FLAG_DEBUG": bool,
+        5 => debug / with_debug "FLAG_DEBUG": bool,
         /// Whether the values of remote control are used.
-        6..=6 => rc / with_rc "FLAG_RC": bool,
+        6 => rc / with_rc "FLAG_RC": bool,
     }
 }
 
@@ -175,7 +172,7 @@ pub enum DevicePort {
     UsbVcp = 4,
 }
 
-/// Which axes a MavLink device controls. Spec: `MAV_CTRL_MODE`.
+/// Axes controlled by a MavLink device. Spec: `MAV_CTRL_MODE`.
 #[open_enum(u8)]
 pub enum MavControlMode {
     /// None.
@@ -187,15 +184,15 @@ pub enum MavControlMode {
 }
 
 bit_fields! {
-    /// When a pin signals an interrupt, and which.
+    /// Interrupt condition of a pin, and the pin.
     ///
-    /// The pin has five bits: the buzzer and the power of the Spektrum connector cannot be said.
+    /// The pin has five bits: the buzzer and the power of the Spektrum connector cannot be expressed.
     pub struct InterruptConfig: u16 {
         /// The pin; 0 is none.
         0..=4 => pin / with_pin "PIN": TriggerPinId,
         /// Whether an emergency stop signals.
-        5..=5 => on_emergency_stop / with_on_emergency_stop "ON_EMERGENCY_STOP": bool,
+        5 => on_emergency_stop / with_on_emergency_stop "ON_EMERGENCY_STOP": bool,
         /// Whether reaching the parking position signals.
-        6..=6 => on_parking_position / with_on_parking_position "ON_PARKING_POSITION": bool,
+        6 => on_parking_position / with_on_parking_position "ON_PARKING_POSITION": bool,
     }
 }

@@ -1,23 +1,22 @@
 //! Values of encoders.
 
+use crate::declare::{bit_enums, bit_fields};
 use sbgc_proto_macros::open_enum;
 
-use crate::wire::{bit_enums, bit_fields};
-
 bit_fields! {
-    /// Which encoder an axis has, and how it is treated.
+    /// Encoder type of an axis, and its options.
     pub struct EncoderSelection: u8 {
         /// Model and interface.
         0..=3 => encoder_type / with_encoder_type "ENCODER_TYPE": EncoderType,
-        /// Whether the board takes it for granted instead of looking for it.
-        4..=4 => skip_detection / with_skip_detection "SKIP_DETECTION": bool,
+        /// Whether the board assumes the sensor instead of detecting it.
+        4 => skip_detection / with_skip_detection "SKIP_DETECTION": bool,
         /// Whether there are gears between it and the axis.
-        7..=7 => geared / with_geared "ENCODER_IS_GEARED": bool,
+        7 => geared / with_geared "ENCODER_IS_GEARED": bool,
     }
 }
 
 /// Model and interface of an encoder; 0 is none. Spec: `ENCODER_TYPE`.
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "ENC_TYPE_")]
 pub enum EncoderType {
     /// AMS AS5048A, SPI.
     #[wire(spec = "ENC_TYPE_AS5048A")]
@@ -38,7 +37,6 @@ pub enum EncoderType {
     #[wire(spec = "ENC_TYPE_MA3_12BIT")]
     Ma3Bits12 = 6,
     /// Analog.
-    #[wire(spec = "ENC_TYPE_ANALOG")]
     Analog = 7,
     /// That of external motor driver 1.
     #[wire(spec = "ENC_TYPE_I2C_DRV1")]
@@ -59,15 +57,13 @@ pub enum EncoderType {
     #[wire(spec = "ENC_TYPE_AS5600_I2C")]
     As5600I2c = 13,
     /// RLS Orbis, SPI.
-    #[wire(spec = "ENC_TYPE_RLS_ORBIS")]
     RlsOrbis = 14,
     /// RLS Orbis, pulse width. The specification prints the name without `ENC_`.
-    #[wire(spec = "ENC_TYPE_RLS_ORBIS_PWM")]
     RlsOrbisPwm = 15,
 }
 bit_enums!(EncoderType);
 
-/// How an encoder is read. Spec: `ENCODER_CFG`.
+/// Options for reading an encoder. Spec: `ENCODER_CFG`.
 ///
 /// The names are for encoders on SPI. For those of external motor drivers the number is the driver's own type of
 /// encoder, and the names mean nothing.

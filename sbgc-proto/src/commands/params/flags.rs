@@ -1,6 +1,6 @@
 //! The sets of flags in the blocks of parameters.
 
-use crate::wire::flags;
+use crate::declare::flags;
 
 flags! {
     /// Settings that all profiles share, first set. Spec: `GENERAL_FLAGS1`.
@@ -31,7 +31,7 @@ flags! {
         const BLINK_BAT_LEVEL = 1 << 11;
         /// The trust in the gyroscope adapts itself.
         const ADAPTIVE_GYRO_TRUST = 1 << 12;
-        /// The frame is upside down. Firmware 2.66 and later.
+        /// The frame is upside down. Firmware 2.66+.
         const IS_UPSIDE_DOWN = 1 << 13;
         /// UART 3 speaks this protocol. Newer firmware.
         const UART_3_SERIAL_API = 1 << 14;
@@ -69,9 +69,9 @@ flags! {
         const RC_KEEP_MIX_RATE = 1 << 11;
         /// The present position is kept when remote control starts.
         const RC_KEEP_CUR_POS_ON_INIT = 1 << 12;
-        /// The outer motor may turn without end. Firmware 2.66 and later.
+        /// The outer motor may turn without end. Firmware 2.66+.
         const OUTER_MOTOR_LIMIT_FREE_ROTATION = 1 << 13;
-        /// The order of Euler angles is chosen by itself. Firmware 2.67b1 and later.
+        /// The order of Euler angles is chosen by itself. Firmware 2.67b1+.
         ///
         /// A newer list calls this bit `GIMBAL_LOCK_SMOOTH_TRANSITION`; perhaps it was renamed.
         const EULER_ORDER_AUTO = 1 << 14;
@@ -82,15 +82,15 @@ flags! {
 
 flags! {
     /// The filters of an axis that are in use. Spec: `FILTERS_EN`.
-    pub struct FiltersEnabled: u8 {
+    pub struct FiltersEnabled: u8, prefix "EN_" {
         /// First notch filter.
-        const NOTCH1 "EN_NOTCH1" = 1 << 0;
+        const NOTCH1 = 1 << 0;
         /// Second notch filter.
-        const NOTCH2 "EN_NOTCH2" = 1 << 1;
+        const NOTCH2 = 1 << 1;
         /// Third notch filter.
-        const NOTCH3 "EN_NOTCH3" = 1 << 2;
+        const NOTCH3 = 1 << 2;
         /// Low-pass filter.
-        const LPF "EN_LPF" = 1 << 3;
+        const LPF = 1 << 3;
     }
 }
 
@@ -103,23 +103,23 @@ flags! {
         const SEARCH_LIMIT_PITCH = 1 << 1;
         /// The limit of YAW is searched at start.
         const SEARCH_LIMIT_YAW = 1 << 2;
-        /// The moments of inertia are calibrated at start. Firmware 2.62b7 and later.
+        /// The moments of inertia are calibrated at start. Firmware 2.62b7+.
         const AUTO_CALIBRATE_MOMENTUM = 1 << 3;
-        /// The moments of inertia feed forward. Firmware 2.62b7 and later.
+        /// The moments of inertia feed forward. Firmware 2.62b7+.
         const USE_MOMENTUM_FEED_FORWARD = 1 << 4;
-        /// The motors stay off at start. Firmware 2.62b7 and later.
+        /// The motors stay off at start. Firmware 2.62b7+.
         const MOTORS_OFF_AT_STARTUP = 1 << 5;
         /// The flight controller is below the outer motor; with `FC_BELOW_MIDDLE` too, it is on the camera platform.
-        /// Firmware 2.62b7 and later.
+        /// Firmware 2.62b7+.
         const FC_BELOW_OUTER = 1 << 6;
-        /// The limits of the encoders are not checked. Firmware 2.66 and later.
+        /// The limits of the encoders are not checked. Firmware 2.66+.
         const DO_NOT_CHECK_ENCODER_LIMITS = 1 << 7;
-        /// The backup of the profiles is kept by itself. Firmware 2.66 and later.
+        /// The backup of the profiles is kept by itself. Firmware 2.66+.
         const AUTO_SAVE_BACKUP_SLOT = 1 << 8;
         /// The flight controller is below the middle motor; with `FC_BELOW_OUTER` too, it is on the camera platform.
-        /// Firmware 2.66 and later.
+        /// Firmware 2.66+.
         const FC_BELOW_MIDDLE = 1 << 9;
-        /// The temperature around is not known. Firmware 2.67b2 and later.
+        /// The ambient temperature is unknown. Firmware 2.67b2+.
         const ENVIRONMENT_TEMP_UNKNOWN = 1 << 10;
         /// Low-pass filters of control and following go from 0 to 255 instead of 15. Newer firmware.
         const LPF_EXTENDED_RANGE = 1 << 11;
@@ -153,24 +153,24 @@ flags! {
 }
 
 flags! {
-    /// What automatic tuning of the controllers does. Spec: `AUTO_PID_CFG`.
+    /// Options of automatic PID tuning. Spec: `AUTO_PID_CFG`.
     ///
     /// The specification shows bits 0, 1 and 3 only; the others are those of newer documents.
-    pub struct AutoPidFlags: u8 {
+    pub struct AutoPidFlags: u8, prefix "AUTO_PID_CFG_" {
         /// It tunes ROLL.
-        const ROLL "AUTO_PID_CFG_ROLL" = 1 << 0;
+        const ROLL = 1 << 0;
         /// It tunes PITCH.
-        const PITCH "AUTO_PID_CFG_PITCH" = 1 << 1;
+        const PITCH = 1 << 1;
         /// It tunes YAW.
-        const YAW "AUTO_PID_CFG_YAW" = 1 << 2;
+        const YAW = 1 << 2;
         /// It reports its progress.
-        const SEND_GUI "AUTO_PID_CFG_SEND_GUI" = 1 << 3;
+        const SEND_GUI = 1 << 3;
         /// It begins with the present values.
-        const KEEP_CURRENT "AUTO_PID_CFG_KEEP_CURRENT" = 1 << 4;
+        const KEEP_CURRENT = 1 << 4;
         /// It tunes the low-pass filters too.
-        const TUNE_LPF_FREQ "AUTO_PID_CFG_TUNE_LPF_FREQ" = 1 << 5;
+        const TUNE_LPF_FREQ = 1 << 5;
         /// It stores its result in all profiles.
-        const ALL_PROFILES "AUTO_PID_CFG_ALL_PROFILES" = 1 << 6;
+        const ALL_PROFILES = 1 << 6;
     }
 }
 
@@ -315,21 +315,21 @@ flags! {
 }
 
 flags! {
-    /// How an external IMU is used. Spec: `EXT_IMU_FLAGS`. Bit 0 is not listed.
-    pub struct ExtImuFlags: u16 {
+    /// Options of an external IMU. Spec: `EXT_IMU_FLAGS`. Bit 0 is not listed.
+    pub struct ExtImuFlags: u16, prefix "EXT_IMU_FLAG_" {
         /// Only to compensate accelerations.
-        const ACC_COMP_ONLY "EXT_IMU_FLAG_ACC_COMP_ONLY" = 1 << 1;
+        const ACC_COMP_ONLY = 1 << 1;
         /// It replaces the board's own IMU.
-        const REPLACE "EXT_IMU_FLAG_REPLACE" = 1 << 2;
+        const REPLACE = 1 << 2;
         /// It corrects the attitude.
-        const Z "EXT_IMU_FLAG_Z" = 1 << 3;
+        const Z = 1 << 3;
         /// It corrects the heading.
-        const H "EXT_IMU_FLAG_H" = 1 << 4;
+        const H = 1 << 4;
         /// Its mounting is updated when the frame is upside down.
-        const FRAME_UPSIDE_DOWN_UPDATE "EXT_IMU_FLAG_FRAME_UPSIDE_DOWN_UPDATE" = 1 << 5;
+        const FRAME_UPSIDE_DOWN_UPDATE = 1 << 5;
         /// It is the frame IMU.
-        const AS_FRAME_IMU "EXT_IMU_FLAG_AS_FRAME_IMU" = 1 << 6;
-        /// It corrects the gyroscope. Firmware 2.68b7 and later.
-        const GYRO_CORR "EXT_IMU_FLAG_GYRO_CORR" = 1 << 7;
+        const AS_FRAME_IMU = 1 << 6;
+        /// It corrects the gyroscope. Firmware 2.68b7+.
+        const GYRO_CORR = 1 << 7;
     }
 }

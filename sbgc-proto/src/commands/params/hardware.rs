@@ -1,24 +1,20 @@
 //! Values of the board's hardware: motor outputs, ports, buses, the beeper.
 
+use crate::declare::{bit_enums, flags};
 use sbgc_proto_macros::open_enum;
 
-use crate::wire::{bit_enums, flags};
-
 /// Switching frequency of the motor drivers. Spec: `PWM_FREQ`.
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "PWM_FREQ_")]
 pub enum PwmFrequency {
-    /// Low: to be heard, the least losses.
-    #[wire(spec = "PWM_FREQ_LOW")]
+    /// Low: audible, minimum losses.
     Low = 0,
-    /// High: hardly to be heard.
-    #[wire(spec = "PWM_FREQ_HIGH")]
+    /// High: hardly audible.
     High = 1,
-    /// Beyond hearing, the greatest losses.
-    #[wire(spec = "PWM_FREQ_ULTRA_HIGH")]
+    /// Ultrasonic, maximum losses.
     UltraHigh = 2,
 }
 
-/// Which output drives an axis. Spec: `MOTOR_OUTPUT`.
+/// Motor output of an axis. Spec: `MOTOR_OUTPUT`.
 #[open_enum(u8)]
 pub enum MotorOutput {
     /// None: the axis has no motor.
@@ -46,29 +42,29 @@ pub enum MotorOutput {
 /// Speed of a serial port. Spec: `SERIAL_SPEED`.
 #[open_enum(u8)]
 pub enum SerialSpeed {
-    /// 115200 bits a second.
+    /// 115200 bits per second.
     #[wire(spec = "115200")]
     Baud115200 = 0,
-    /// 57600 bits a second.
+    /// 57600 bits per second.
     #[wire(spec = "57600")]
     Baud57600 = 1,
-    /// 38400 bits a second.
+    /// 38400 bits per second.
     #[wire(spec = "38400")]
     Baud38400 = 2,
-    /// 19200 bits a second.
+    /// 19200 bits per second.
     #[wire(spec = "19200")]
     Baud19200 = 3,
-    /// 9600 bits a second.
+    /// 9600 bits per second.
     #[wire(spec = "9600")]
     Baud9600 = 4,
-    /// 256000 bits a second.
+    /// 256000 bits per second.
     #[wire(spec = "256000")]
     Baud256000 = 5,
 }
 bit_enums!(SerialSpeed);
 
 impl SerialSpeed {
-    /// Bits a second, `None` for a speed that is not known here.
+    /// Bits per second; `None` for an unknown speed.
     ///
     /// ```
     /// use sbgc_proto::commands::SerialSpeed;
@@ -100,13 +96,12 @@ pub enum I2cSpeed {
 }
 
 /// Whether the gyroscope is calibrated at start. Spec: `SKIP_GYRO_CALIB`.
-#[open_enum(u8)]
+#[open_enum(u8, prefix = "SKIP_")]
 pub enum SkipGyroCalib {
     /// Always calibrated: the board waits until it is at rest.
     #[wire(spec = "DO_NOT_SKIP")]
     Never = 0,
     /// Never calibrated.
-    #[wire(spec = "SKIP_ALWAYS")]
     Always = 1,
     /// Calibrated if the board is at rest, left as it was if it moves.
     #[wire(spec = "TRY_TO_CALIBRATE")]
@@ -115,13 +110,13 @@ pub enum SkipGyroCalib {
 
 flags! {
     /// Axes whose controller lowers its gains by itself when they vibrate. Spec: `ADAPTIVE_PID_ENABLED`.
-    pub struct AdaptivePidAxes: u8 {
+    pub struct AdaptivePidAxes: u8, prefix "EN_" {
         /// ROLL.
-        const ROLL "EN_ROLL" = 1 << 0;
+        const ROLL = 1 << 0;
         /// PITCH.
-        const PITCH "EN_PITCH" = 1 << 1;
+        const PITCH = 1 << 1;
         /// YAW.
-        const YAW "EN_YAW" = 1 << 2;
+        const YAW = 1 << 2;
     }
 }
 
@@ -129,21 +124,21 @@ flags! {
     /// When the board beeps, and how. Spec: `BEEPER_MODES`.
     ///
     /// Bits 4 to 6 are those of the vendor's library, newer firmware.
-    pub struct BeeperModes: u8 {
+    pub struct BeeperModes: u8, prefix "BEEPER_MODE_" {
         /// While it calibrates.
-        const CALIBRATE "BEEPER_MODE_CALIBRATE" = 1 << 0;
+        const CALIBRATE = 1 << 0;
         /// When a command is carried out.
-        const CONFIRM "BEEPER_MODE_CONFIRM" = 1 << 1;
+        const CONFIRM = 1 << 1;
         /// At an error.
-        const ERROR "BEEPER_MODE_ERROR" = 1 << 2;
+        const ERROR = 1 << 2;
         /// When the battery is low.
-        const ALARM "BEEPER_MODE_ALARM" = 1 << 3;
+        const ALARM = 1 << 3;
         /// At each press of a button.
-        const CLICK "BEEPER_MODE_CLICK" = 1 << 4;
+        const CLICK = 1 << 4;
         /// When a task is complete.
-        const COMPLETE "BEEPER_MODE_COMPLETE" = 1 << 5;
+        const COMPLETE = 1 << 5;
         /// At start.
-        const INTRO "BEEPER_MODE_INTRO" = 1 << 6;
+        const INTRO = 1 << 6;
         /// The motors sound instead of the buzzer.
         const BY_MOTORS "BEEP_BY_MOTORS" = 1 << 7;
     }

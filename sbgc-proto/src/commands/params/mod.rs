@@ -8,35 +8,33 @@
 //! Many parameters have no unit: they are the positions of sliders in the vendor's program.
 
 mod automation;
-mod block3;
-mod curves;
 mod encoders;
-mod ext;
-mod ext2;
-mod ext3;
-mod external;
+mod external_devices;
 mod flags;
 mod hardware;
-mod legacy;
 mod menu;
 mod orientation;
+mod params3;
+mod params_ext;
+mod params_ext2;
+mod params_ext3;
+mod params_legacy;
 mod profiles;
 mod rc;
 #[cfg(test)]
 mod tests;
 
 pub use automation::*;
-pub use block3::*;
-pub use curves::*;
 pub use encoders::*;
-pub use ext::*;
-pub use ext2::*;
-pub use ext3::*;
-pub use external::*;
+pub use external_devices::*;
 pub use flags::*;
 pub use hardware::*;
-pub use legacy::*;
 pub use menu::*;
 pub use orientation::*;
+pub use params_ext::*;
+pub use params_ext2::*;
+pub use params_ext3::*;
+pub use params_legacy::*;
+pub use params3::*;
 pub use profiles::*;
 pub use rc::*;

@@ -1,8 +1,7 @@
 //! Values of orientation: how sensors are mounted, in which order axes turn.
 
+use crate::declare::{bit_enums, bit_fields};
 use sbgc_proto_macros::open_enum;
-
-use crate::wire::{bit_enums, bit_fields};
 
 /// An axis of a sensor with its sign. Spec: `AXIS_ORIENTATION`.
 #[open_enum(i8)]
@@ -24,24 +23,20 @@ pub enum AxisOrientation {
     NegativeZ = -3,
 }
 
-/// Where the frame IMU is mounted. Spec: `FRAME_IMU_POS`.
-#[open_enum(u8)]
+/// Mounting position of the frame IMU. Spec: `FRAME_IMU_POS`.
+#[open_enum(u8, prefix = "FRAME_IMU_")]
 pub enum FrameImuPosition {
     /// There is none.
-    #[wire(spec = "FRAME_IMU_DISABLED")]
     Disabled = 0,
     /// Below the YAW motor: it turns with YAW.
-    #[wire(spec = "FRAME_IMU_BELOW_YAW")]
     BelowYaw = 1,
     /// Above the YAW motor: it stays with the frame.
-    #[wire(spec = "FRAME_IMU_ABOVE_YAW")]
     AboveYaw = 2,
     /// Below the YAW motor, and the controller of YAW takes its signal from it.
-    #[wire(spec = "FRAME_IMU_BELOW_YAW_PID_SOURCE")]
     BelowYawPidSource = 3,
 }
 
-/// How the hardware's axes follow each other, counted from the camera. Spec: `ORDER_OF_AXES`.
+/// Order of the hardware axes, counted from the camera. Spec: `ORDER_OF_AXES`.
 #[open_enum(u8)]
 pub enum OrderOfAxes {
     /// PITCH, ROLL, YAW.
@@ -60,9 +55,9 @@ bit_fields! {
         /// The order of rotations.
         0..=3 => order / with_order "EULER_ORDER": EulerOrder,
         /// Whether control goes about the camera's own axes. Newer firmware.
-        4..=4 => local_control / with_local_control "CONTROL_LOCAL_XYZ": bool,
-        /// Whether stabilization and control go about the camera's own axes. Firmware 2.74 and later.
-        5..=5 => local_stabilization / with_local_stabilization "STABILIZATION_LOCAL_XYZ": bool,
+        4 => local_control / with_local_control "CONTROL_LOCAL_XYZ": bool,
+        /// Whether stabilization and control go about the camera's own axes. Firmware 2.74+.
+        5 => local_stabilization / with_local_stabilization "STABILIZATION_LOCAL_XYZ": bool,
     }
 }
 

@@ -5,11 +5,11 @@ use sbgc_proto_macros::{message, open_enum};
 use crate::commands::{Confirm, ProfileId};
 use crate::wire::{FixedText, Reserved};
 
-/// Asks for the names of the profiles.
+/// Requests the names of the profiles.
 ///
 /// The specification's heading calls it `CMD_READ_PROFILE_NAMES_3`; there is one command only.
 #[message(CMD_READ_PROFILE_NAMES, outgoing, size = 0, answer = ProfileNames)]
-pub struct ReadProfileNames {}
+pub struct ReadProfileNames;
 
 /// The names of the profiles.
 #[message(CMD_READ_PROFILE_NAMES, incoming, size = 240)]
@@ -20,18 +20,18 @@ pub struct ProfileNames {
 
 /// Stores the names of the profiles in EEPROM.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it. The
+/// The specification does not define an answer; the vendor's library waits for a confirmation. The
 /// specification's heading calls it `CMD_WRITE_PROFILE_NAMES_3`; there is one command only.
 #[message(CMD_WRITE_PROFILE_NAMES, outgoing, size = 240, answer = Confirm)]
 pub struct WriteProfileNames(pub ProfileNames);
 
 /// Resets the parameters of a profile to those of the factory, or all of the EEPROM.
 ///
-/// Whether the board confirms it is not settled: the specification does not say, and the vendor's library does not wait
+/// Whether the board confirms it is unknown: the specification does not say, and the vendor's library does not wait
 /// for it. Take a `CMD_CONFIRM` if it comes, and do not depend on it.
 #[message(CMD_USE_DEFAULTS, outgoing, size = 1)]
 pub struct UseDefaults {
-    /// Which profile: [`ResetCurrent`](ProfileId::ResetCurrent) is the active one and
+    /// Profile to reset: [`ResetCurrent`](ProfileId::ResetCurrent) is the active one and
     /// [`EraseEeprom`](ProfileId::EraseEeprom) erases everything. The vendor's example passes
     /// [`Current`](ProfileId::Current), which the specification does not list for this command.
     pub profile_id: ProfileId,
@@ -40,15 +40,15 @@ pub struct UseDefaults {
 /// Saves, clears or loads a whole set of profiles, with simple calibrations.
 #[message(CMD_PROFILE_SET, outgoing, size = 10, since = "2.65", answer = Confirm)]
 pub struct ProfileSet {
-    /// Where the set is stored.
+    /// Slot of the profile set.
     #[wire(range = 1..=6)]
     pub slot: ProfileSetSlot,
-    /// What is done with it.
+    /// Action to perform on it.
     pub action: ProfileSetAction,
     pub reserved: Reserved<8>,
 }
 
-/// Where a set of profiles is stored. Spec: `PROFILE_SET_SLOT`.
+/// Slot of a profile set. Spec: `PROFILE_SET_SLOT`.
 #[open_enum(u8)]
 pub enum ProfileSetSlot {
     /// First.
@@ -70,17 +70,14 @@ pub enum ProfileSetSlot {
     Backup = 6,
 }
 
-/// What is done with a set of profiles. Spec: `PROFILE_SET_ACTION`.
-#[open_enum(u8)]
+/// Action on a profile set. Spec: `PROFILE_SET_ACTION`.
+#[open_enum(u8, prefix = "PROFILE_SET_ACTION_")]
 pub enum ProfileSetAction {
     /// The present parameters, of all profiles, are saved to the slot.
-    #[wire(spec = "PROFILE_SET_ACTION_SAVE")]
     Save = 1,
     /// The slot is cleared.
-    #[wire(spec = "PROFILE_SET_ACTION_CLEAR")]
     Clear = 2,
     /// The parameters in the slot become the present ones.
-    #[wire(spec = "PROFILE_SET_ACTION_LOAD")]
     Load = 3,
 }
 

@@ -1,60 +1,52 @@
 //! Values of remote control: what inputs read, what signals mean, how they are mixed.
 
+use crate::declare::{bit_enums, bit_fields};
 use sbgc_proto_macros::open_enum;
 
-use crate::wire::{bit_enums, bit_fields};
-
 bit_fields! {
-    /// How the control signal of an axis is read.
+    /// Options for reading the control signal of an axis.
     pub struct RcAxisMode: u8 {
-        /// What the signal means.
+        /// Meaning of the signal.
         0..=2 => mode / with_mode "RC_MODE": RcMode,
         /// Whether control is inverted.
-        3..=3 => inverted / with_inverted "INVERTED": bool,
+        3 => inverted / with_inverted "INVERTED": bool,
     }
 }
 
-/// What a control signal means. Spec: `RC_MODE`.
-#[open_enum(u8)]
+/// Meaning of a control signal. Spec: `RC_MODE`.
+#[open_enum(u8, prefix = "RC_MODE_")]
 pub enum RcMode {
     /// The angle to go to.
-    #[wire(spec = "RC_MODE_ANGLE")]
     Angle = 0,
     /// The speed to move with.
-    #[wire(spec = "RC_MODE_SPEED")]
     Speed = 1,
     /// Tracking. The specification has it among the adjustable variables only.
-    #[wire(spec = "RC_MODE_TRACKING", since = "2.69b3")]
+    #[wire(since = "2.69b3")]
     Tracking = 2,
 }
 bit_enums!(RcMode);
 
-/// What the RC_ROLL pin reads. Spec: `RC_VIRT_MODE`.
-#[open_enum(u8)]
+/// Input mode of the RC_ROLL pin. Spec: `RC_VIRT_MODE`.
+#[open_enum(u8, prefix = "RC_VIRT_MODE_")]
 pub enum RcVirtMode {
     /// One channel, as pulse width.
-    #[wire(spec = "RC_VIRT_MODE_NORMAL")]
     Normal = 0,
     /// A sum signal of several channels (Sum-PPM).
-    #[wire(spec = "RC_VIRT_MODE_CPPM")]
     Cppm = 1,
     /// A Futaba s-bus receiver.
-    #[wire(spec = "RC_VIRT_MODE_SBUS")]
     Sbus = 2,
     /// A Spektrum satellite receiver.
-    #[wire(spec = "RC_VIRT_MODE_SPEKTRUM")]
     Spektrum = 3,
     /// Nothing: a second serial port for this protocol.
-    #[wire(spec = "RC_VIRT_MODE_API")]
     Api = 10,
 }
 
 bit_fields! {
-    /// How a signal of the flight controller is mixed into a control signal.
+    /// Mixing of a flight controller signal into a control signal.
     ///
     /// The split into 6 and 2 bits is that of newer documents; copies of the older specification break off there.
     pub struct FcMix: u8 {
-        /// How much of it, 0 to 63.
+        /// Amount, 0 to 63.
         0..=5 => rate / with_rate "RATE": u8,
         /// Into which control signal.
         6..=7 => target / with_target "TARGET": FcMixTarget,
@@ -107,16 +99,14 @@ pub enum SpektrumMode {
     DsmxMs22Bits11 = 8,
 }
 
-/// What ROLL and PITCH follow. Spec: `FOLLOW_MODE`.
-#[open_enum(u8)]
+/// Follow mode of ROLL and PITCH. Spec: `FOLLOW_MODE`.
+#[open_enum(u8, prefix = "FOLLOW_MODE_")]
 pub enum FollowMode {
     /// Nothing.
-    #[wire(spec = "FOLLOW_MODE_DISABLED")]
     Disabled = 0,
     /// The flight controller's attitude.
     #[wire(spec = "FOLLOW_MODE_FC")]
     FlightController = 1,
     /// The frame, on PITCH and in part on ROLL.
-    #[wire(spec = "FOLLOW_MODE_PITCH")]
     Pitch = 2,
 }

@@ -5,9 +5,9 @@ use sbgc_proto_macros::{message, record};
 use crate::units::{Angle, ControlRate, LongAngle};
 use crate::wire::{PerAxis, Reserved};
 
-/// Asks for the angles and the target speed of all axes.
+/// Requests the angles and the target speed of all axes.
 #[message(CMD_GET_ANGLES, outgoing, size = 0, answer = Angles)]
-pub struct GetAngles {}
+pub struct GetAngles;
 
 /// Angles and target speed of all axes.
 #[message(CMD_GET_ANGLES, incoming, size = 18)]
@@ -22,17 +22,17 @@ pub struct Angles {
 #[record(size = 6)]
 #[derive(Copy)]
 pub struct AxisAngles {
-    /// Where the camera points, by its IMU.
+    /// Camera angles from its IMU.
     pub imu_angle: Angle,
-    /// Where it should point.
+    /// Target angles.
     pub target_angle: Angle,
-    /// How fast it should turn. [`RealtimeDataCustom`](super::RealtimeDataCustom) has the same in half this step.
+    /// Target speed. [`RealtimeDataCustom`](super::RealtimeDataCustom) reports it in half this step.
     pub target_speed: ControlRate,
 }
 
-/// Asks for the angles of all axes, those of the joints counted over several turns.
+/// Requests the angles of all axes, those of the joints counted over several turns.
 #[message(CMD_GET_ANGLES_EXT, outgoing, size = 0, answer = AnglesExt)]
-pub struct GetAnglesExt {}
+pub struct GetAnglesExt;
 
 /// Angles of all axes, those of the joints counted over several turns.
 #[message(CMD_GET_ANGLES_EXT, incoming, size = 54)]
@@ -47,11 +47,11 @@ pub struct AnglesExt {
 #[record(size = 18)]
 #[derive(Copy)]
 pub struct AxisAnglesExt {
-    /// Where the camera points, by its IMU.
+    /// Camera angles from its IMU.
     pub imu_angle: Angle,
-    /// Where it should point.
+    /// Target angles.
     pub target_angle: Angle,
-    /// How far the joint is turned; 0 is its normal position. It does not jump after a full turn.
+    /// Joint (stator–rotor) angle; 0 is the normal position. It does not wrap after a full turn.
     ///
     /// Newer documents call it FRAME_CAM_ANGLE.
     pub stator_rotor_angle: LongAngle,

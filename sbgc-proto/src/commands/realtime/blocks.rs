@@ -3,16 +3,17 @@
 use sbgc_proto_macros::{open_enum, record};
 
 use super::{CalibMode, CanErrFlags, MotorFlags, PowerState, SystemPowerFlags, SystemStateFlags};
+use crate::declare::{bit_enums, bit_fields};
 use crate::units::{Angle, AttitudeError, LimitDistance, SensorRate, Voltage};
-use crate::wire::{Float, PerAxis, Reserved, bit_enums, bit_fields};
+use crate::wire::{Float, PerAxis, Reserved};
 
-/// What an external controller of the fourth axis' motor needs. Spec: `MOTOR4_CONTROL`.
+/// Data for an external controller of a fourth axis. Spec: `MOTOR4_CONTROL`.
 #[record(size = 8, since = "2.68")]
 #[derive(Copy)]
 pub struct Motor4Control {
     /// Speed to be fed forward.
     pub ff_speed: SensorRate,
-    /// How far the fourth axis is from its target.
+    /// Angle error of the fourth axis.
     pub angle_error: Angle,
     /// Output of the internal PID over `angle_error` with `ff_speed` mixed in, times the parameter "scale factor".
     pub pid_out: Float,
@@ -24,17 +25,17 @@ pub struct Motor4Control {
 #[record(size = 26, since = "2.66")]
 #[derive(Copy)]
 pub struct AhrsDebugInfo {
-    /// What the main IMU takes for reference.
+    /// Reference source of the main IMU.
     pub main_imu_ref_src: ImuRefSrc,
-    /// What the frame IMU takes for reference.
+    /// Reference source of the frame IMU.
     pub frame_imu_ref_src: ImuRefSrc,
-    /// How far the main IMU's attitude is off its reference.
+    /// Attitude error of the main IMU against its reference.
     pub main_imu_z_ref_err: AttitudeError,
-    /// How far the main IMU's heading is off its reference.
+    /// Heading error of the main IMU against its reference.
     pub main_imu_h_ref_err: AttitudeError,
-    /// How far the frame IMU's attitude is off its reference.
+    /// Attitude error of the frame IMU against its reference.
     pub frame_imu_z_ref_err: AttitudeError,
-    /// How far the frame IMU's heading is off its reference.
+    /// Heading error of the frame IMU against its reference.
     pub frame_imu_h_ref_err: AttitudeError,
     /// State of the external IMU.
     pub ext_imu_status: ExtImuState,
@@ -42,41 +43,37 @@ pub struct AhrsDebugInfo {
     pub ext_imu_packets_received_cnt: u16,
     /// Packets from the external IMU that could not be read; starts again after 65535.
     pub ext_imu_parse_err_cnt: u16,
-    /// How far the heading is off the external one.
+    /// Heading error against the external reference.
     pub ext_corr_h_err: AttitudeError,
-    /// How far the attitude is off the external one.
+    /// Attitude error against the external reference.
     pub ext_corr_z_err: AttitudeError,
     pub reserved: Reserved<13>,
 }
 
 bit_fields! {
-    /// What an IMU takes for reference.
+    /// Reference source of an IMU.
     pub struct ImuRefSrc: u8 {
         /// Reference of the attitude.
         0..=2 => attitude / with_attitude "ATTITUDE_REF": AhrsRefSrc,
         /// Reference of the heading.
         3..=5 => heading / with_heading "HEADING_REF": AhrsRefSrc,
         /// The internal sensor is connected and used; otherwise the attitude comes from outside.
-        6..=6 => internal_sensor / with_internal_sensor "INTERNAL_SENSOR": bool,
+        6 => internal_sensor / with_internal_sensor "INTERNAL_SENSOR": bool,
         /// This IMU is being processed.
-        7..=7 => enabled / with_enabled "ENABLED": bool,
+        7 => enabled / with_enabled "ENABLED": bool,
     }
 }
 
-/// Where a reference of attitude or heading comes from. Spec: `AHRS_REF_SRC`.
-#[open_enum(u8)]
+/// Source of an attitude or heading reference. Spec: `AHRS_REF_SRC`.
+#[open_enum(u8, prefix = "REF_")]
 pub enum AhrsRefSrc {
     /// There is none.
-    #[wire(spec = "REF_NO")]
     No = 0,
     /// From the sensor's own accelerometer or magnetometer.
-    #[wire(spec = "REF_INTERNAL")]
     Internal = 1,
     /// From outside.
-    #[wire(spec = "REF_EXTERNAL")]
     External = 2,
     /// Translated from the other IMU through the joints.
-    #[wire(spec = "REF_TRANSLATE")]
     Translate = 3,
 }
 bit_enums!(AhrsRefSrc, ExtImuStatus);
@@ -84,41 +81,34 @@ bit_enums!(AhrsRefSrc, ExtImuStatus);
 bit_fields! {
     /// State of the external IMU.
     pub struct ExtImuState: u8 {
-        /// How it does.
+        /// Status of the external IMU.
         0..=2 => status / with_status "EXT_IMU_STATUS": ExtImuStatus,
         /// Its magnetometer is disturbed.
-        6..=6 => bad_mag / with_bad_mag "STATUS_FLAG_BAD_MAG": bool,
+        6 => bad_mag / with_bad_mag "STATUS_FLAG_BAD_MAG": bool,
         /// It has no satellites.
-        7..=7 => no_gps_signal / with_no_gps_signal "STATUS_FLAG_NO_GPS_SIGNAL": bool,
+        7 => no_gps_signal / with_no_gps_signal "STATUS_FLAG_NO_GPS_SIGNAL": bool,
     }
 }
 
-/// How the external IMU does; from `Bad` on it is a grade of its attitude. Spec: `EXT_IMU_STATUS`.
-#[open_enum(u8)]
+/// Status of the external IMU; from `Bad` on it grades its attitude. Spec: `EXT_IMU_STATUS`.
+#[open_enum(u8, prefix = "STATUS_")]
 pub enum ExtImuStatus {
     /// It is switched off.
-    #[wire(spec = "STATUS_DISABLED")]
     Disabled = 0,
     /// It is not connected.
-    #[wire(spec = "STATUS_NOT_CONNECTED")]
     NotConnected = 1,
     /// Nothing is known of it yet.
     #[wire(spec = "STATUS_UNKNOWN")]
     NotKnown = 2,
     /// It has an error.
-    #[wire(spec = "STATUS_ERROR")]
     Error = 3,
     /// Its attitude is bad.
-    #[wire(spec = "STATUS_BAD")]
     Bad = 4,
     /// Its attitude is coarse.
-    #[wire(spec = "STATUS_COARSE")]
     Coarse = 5,
     /// Its attitude is good.
-    #[wire(spec = "STATUS_GOOD")]
     Good = 6,
     /// Its attitude is fine.
-    #[wire(spec = "STATUS_FINE")]
     Fine = 7,
 }
 
@@ -136,7 +126,7 @@ pub struct SystemPowerState {
     /// Current of the whole system.
     #[wire(unit = "mA")]
     pub total_current: u16,
-    /// What is going on at the motors as a whole.
+    /// State of the motor power system.
     pub system_flags: SystemPowerFlags,
 }
 
@@ -153,7 +143,7 @@ pub struct MotorPower {
     /// Its temperature.
     #[wire(unit = "degC")]
     pub mot_temp: i8,
-    /// What is going on there.
+    /// State of the motor.
     pub mot_flags: MotorFlags,
     pub mot_reserved: Reserved<6>,
 }
@@ -168,17 +158,17 @@ pub struct CommErrors {
     pub serial_errors: u16,
     /// Errors of the CAN bus.
     pub can_errors: u16,
-    /// What kinds of errors the CAN bus has had.
+    /// Kinds of CAN bus errors seen.
     pub can_err_flags: CanErrFlags,
 }
 
-/// What the system does. Spec: `SYSTEM_STATE`, a part of chosen real-time data; not the command of that name.
+/// System state. Spec: `SYSTEM_STATE`, a part of custom real-time data; not the command of that name.
 #[record(size = 13, since = "2.73")]
 #[derive(Copy)]
 pub struct SystemStateBlock {
-    /// What state it is in.
+    /// State of the motor.
     pub flags: SystemStateFlags,
-    /// Which calibration or automatic task runs.
+    /// Running calibration or automatic task.
     pub calib_mode: CalibMode,
     pub reserved: Reserved<8>,
 }
@@ -189,9 +179,9 @@ pub struct SystemStateBlock {
 #[record(size = 11)]
 #[derive(Copy)]
 pub struct MainImuState {
-    /// How far gravity is off its reference, in a unit that is not published.
+    /// Gravity error against its reference, in an unpublished unit.
     pub g_ref_err: u8,
-    /// How far the heading is off its reference, in a unit that is not published.
+    /// Heading error against its reference, in an unpublished unit.
     pub h_ref_err: u8,
     /// Flags, whose meaning is not published.
     pub flags: u8,
@@ -200,7 +190,7 @@ pub struct MainImuState {
     pub reserved: Reserved<7>,
 }
 
-/// How far a joint is from its software limits.
+/// Distance of a joint to its software limits.
 #[record(size = 4)]
 #[derive(Copy)]
 pub struct LimitDistances {

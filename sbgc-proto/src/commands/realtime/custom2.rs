@@ -2,32 +2,31 @@
 
 use sbgc_proto_macros::message;
 
-use super::custom::decode_view;
 use crate::DecodeError;
+use crate::commands::selection::{decode_view, payload_len};
+use crate::declare::flags;
 use crate::units::{Acceleration, Angle, SensorRate, StabilizationError};
-use crate::wire::{FromWire, Layout, PerAxis, PerXyz, Reserved, flags};
+use crate::wire::{PerAxis, PerXyz, Reserved};
 
-use self::RealtimeDataCustom2Flags as Flags;
-
-/// Asks for data of the second set.
+/// Requests data of the second set.
 ///
-/// The board answers with [`RealtimeDataCustom2`], which does not say what it holds: read it with the flags that were
-/// asked for.
+/// The board answers with [`RealtimeDataCustom2`], which does not identify its fields: decode it with the requested
+/// flags, as [`decode_answer`](crate::Request::decode_answer) does.
 #[message(
-    CMD_REALTIME_DATA_CUSTOM2, outgoing, size = 10, since = "2.74.2", answer = RealtimeDataCustom2View<'answer>,
-    echo = flags(flags => body)
+    CMD_REALTIME_DATA_CUSTOM2, outgoing, size = 10, since = "2.74.2", answer = RealtimeDataCustom2, given = self.flags,
+    echo = flags(flags)
 )]
 #[derive(Copy)]
 pub struct RealtimeDataCustom2Request {
-    /// What the answer shall hold.
+    /// Flags that select the fields of the answer.
     pub flags: RealtimeDataCustom2Flags,
     pub reserved: Reserved<6>,
 }
 
 flags! {
-    /// What data of the second set hold. Spec: `REALTIME_DATA_CUSTOM2_FLAGS`.
+    /// Selection of second-set real-time data. Spec: `REALTIME_DATA_CUSTOM2_FLAGS`.
     pub struct RealtimeDataCustom2Flags: u32 {
-        /// How the frame stands.
+        /// Frame attitude.
         const FRAME_IMU_ANGLES = 1 << 0;
         /// Gyroscope of the frame.
         const FRAME_GYRO = 1 << 1;
@@ -39,84 +38,82 @@ flags! {
         const MAG_SENS_DATA = 1 << 4;
         /// Levels of buttons and pins.
         const PIN_STATE = 1 << 5;
-        /// How much the camera shakes, firmware 2.74.4 and later.
+        /// Amplitude of the stabilization error. Firmware 2.74.4+.
         const STAB_ERR_AMPL = 1 << 6;
-        /// These flags again, before all the rest.
+        /// Repeats these flags before the other fields.
         const INCLUDE_FLAGS = 1 << 31;
     }
 }
 
 impl RealtimeDataCustom2Flags {
-    /// How many bytes the answer has: those of [`RealtimeDataCustom2`] with these flags.
+    /// Number of payload bytes of a [`RealtimeDataCustom2`] with these flags.
     pub fn payload_len(self) -> usize {
-        const ZEROS: &[u8] = &[0; <RealtimeDataCustom2 as Layout>::MAX_LEN];
-        let rest = RealtimeDataCustom2::read(ZEROS, self).map_or(0, |(rest, _)| rest.len());
-        ZEROS.len() - rest
+        payload_len::<RealtimeDataCustom2, _>(self)
     }
 }
 
-/// Data of the second set: a time stamp, then what the flags of the request or the data stream choose, in the order
+/// Data of the second set: a time stamp, then the fields selected by the flags of the request or stream, in the order
 /// of the bits.
 ///
-/// The fields that were not chosen are `None`.
+/// Fields not selected are `None`.
 #[message(
     CMD_REALTIME_DATA_CUSTOM2, incoming, size = 2..=52, since = "2.74.2",
     context(selection: RealtimeDataCustom2Flags)
 )]
 #[derive(Copy)]
 pub struct RealtimeDataCustom2 {
-    /// The board's time, which starts again after 65535.
+    /// Time stamp of the board, wrapping after 65535.
     #[wire(unit = "ms")]
     pub timestamp_ms: u16,
-    /// The flags of the request.
-    #[wire(when = selection.contains(Flags::INCLUDE_FLAGS))]
+    /// Selection flags, as in the request.
+    #[wire(flag = INCLUDE_FLAGS)]
     pub flags: Option<RealtimeDataCustom2Flags>,
-    /// How the frame stands.
-    #[wire(when = selection.contains(Flags::FRAME_IMU_ANGLES))]
+    /// Frame attitude.
+    #[wire(flag = FRAME_IMU_ANGLES)]
     pub frame_imu_angles: Option<PerAxis<Angle>>,
     /// Gyroscope of the frame.
-    #[wire(when = selection.contains(Flags::FRAME_GYRO))]
+    #[wire(flag = FRAME_GYRO)]
     pub frame_gyro: Option<PerXyz<SensorRate>>,
     /// Accelerometer of the frame.
-    #[wire(when = selection.contains(Flags::FRAME_ACC))]
+    #[wire(flag = FRAME_ACC)]
     pub frame_acc: Option<PerXyz<Acceleration>>,
-    /// Debug values, which only the firmware's makers can read.
-    #[wire(when = selection.contains(Flags::DEBUG))]
+    /// Debug values (undocumented).
+    #[wire(flag = DEBUG)]
     pub debug: Option<[i16; 4]>,
     /// Magnetometer.
-    #[wire(when = selection.contains(Flags::MAG_SENS_DATA))]
+    #[wire(flag = MAG_SENS_DATA)]
     pub mag_sens_data: Option<PerXyz<i16>>,
     /// Levels of extra buttons, two bits each: 0 low, 1 high, 2 not available.
     ///
     /// The newer specification prints 12 bytes for this and the two fields after it; 8 are right.
-    #[wire(when = selection.contains(Flags::PIN_STATE))]
+    #[wire(flag = PIN_STATE)]
     pub extra_buttons_state: Option<u16>,
     /// Levels of pins, two bits each: 0 low, 1 high, 2 not available.
-    #[wire(when = selection.contains(Flags::PIN_STATE))]
+    #[wire(flag = PIN_STATE)]
     pub pin_state: Option<u16>,
-    #[wire(when = selection.contains(Flags::PIN_STATE))]
+    #[wire(flag = PIN_STATE)]
     pub pin_state_reserved: Option<Reserved<4>>,
-    /// How much the camera shakes.
-    #[wire(when = selection.contains(Flags::STAB_ERR_AMPL), since = "2.74.4")]
+    /// Amplitude of the stabilization error.
+    #[wire(flag = STAB_ERR_AMPL, since = "2.74.4")]
     pub stab_err_ampl: Option<PerAxis<StabilizationError>>,
 }
 
-/// Data of the second set of which the choice is not known.
+/// Undecoded second-set data (selection flags unknown).
 #[message(CMD_REALTIME_DATA_CUSTOM2, incoming, size = 2..=255, since = "2.74.2")]
 #[derive(Copy)]
 pub struct RealtimeDataCustom2View<'a> {
-    /// The board's time, which starts again after 65535.
+    /// Time stamp of the board, wrapping after 65535.
     #[wire(unit = "ms")]
     pub timestamp_ms: u16,
-    /// The chosen data.
+    /// Undecoded selected data.
     pub body: &'a [u8],
 }
 
 impl RealtimeDataCustom2View<'_> {
-    /// Reads the data that `flags` choose.
+    /// Decodes the data that `flags` select.
     ///
     /// # Errors
-    /// When it has less than that.
+    /// If it has less than that.
     pub fn decode_as(&self, flags: RealtimeDataCustom2Flags) -> Result<RealtimeDataCustom2, DecodeError> {
         decode_view(self, flags)
     }

@@ -7,15 +7,15 @@ use crate::commands::{ImuType, ProfileId};
 use crate::units::{Acceleration, Angle, AttitudeError, SensorRate, Voltage};
 use crate::wire::{PerAxis, PerXyz, Reserved};
 
-/// Asks for real-time data by the old id.
+/// Requests real-time data by the old id.
 ///
 /// The answer has another: it is [`RealtimeData3`].
 #[message(CMD_REALTIME_DATA, outgoing, size = 0, answer = RealtimeData3)]
-pub struct RealtimeDataRequest {}
+pub struct RealtimeDataRequest;
 
-/// Asks for sensors, errors, control signals, angles, battery and motor power.
+/// Requests sensors, errors, control signals, angles, battery and motor power.
 #[message(CMD_REALTIME_DATA_3, outgoing, size = 0, answer = RealtimeData3)]
-pub struct RealtimeData3Request {}
+pub struct RealtimeData3Request;
 
 /// Sensors, errors, control signals, angles, battery and motor power.
 #[message(CMD_REALTIME_DATA_3, incoming, size = 63)]
@@ -26,9 +26,9 @@ pub struct RealtimeData3 {
     pub axes: PerAxis<SensorAxis>,
     /// Errors of the serial connection since the start.
     pub serial_err_cnt: u16,
-    /// What is wrong.
+    /// Errors of the system.
     pub system_error: SystemErrors,
-    /// Why the motors were stopped in an emergency.
+    /// Reason for the emergency stop of the motors.
     pub system_sub_error: SystemSubError,
     pub reserved: Reserved<3>,
     /// Control signal for ROLL, PWM or analog brought to the same range.
@@ -49,11 +49,11 @@ pub struct RealtimeData3 {
     /// Signal of the flight controller for PITCH. It may be 0 as that for ROLL may.
     #[wire(range = 1000..=2000)]
     pub ext_fc_pitch: i16,
-    /// Where the camera points.
+    /// Camera angles.
     pub imu_angle: PerAxis<Angle>,
-    /// How the frame stands, where it has an IMU.
+    /// Frame attitude, if the frame has an IMU.
     pub frame_imu_angle: PerAxis<Angle>,
-    /// Where the camera should point.
+    /// Target camera angles.
     pub target_angle: PerAxis<Angle>,
     /// Time that a cycle of the firmware takes; normally 800.
     #[wire(unit = "us")]
@@ -85,23 +85,23 @@ pub struct SensorAxis {
     pub gyro_data: SensorRate,
 }
 
-/// Asks for all of [`RealtimeData3`], and joint angles, balance, current, magnetometer, temperatures and motor output.
+/// Requests all of [`RealtimeData3`], and joint angles, balance, current, magnetometer, temperatures and motor output.
 #[message(CMD_REALTIME_DATA_4, outgoing, size = 0, answer = RealtimeData4)]
-pub struct RealtimeData4Request {}
+pub struct RealtimeData4Request;
 
 /// All of [`RealtimeData3`], and joint angles, balance, current, magnetometer, temperatures and motor output.
 #[message(CMD_REALTIME_DATA_4, incoming, size = 124)]
 #[derive(Copy)]
 pub struct RealtimeData4 {
-    /// What the shorter message has, in the same first 63 bytes.
+    /// Fields of the shorter message, in the same first 63 bytes.
     #[wire(group)]
     pub realtime_data_3: RealtimeData3,
-    /// How far each joint is turned, by encoder, second IMU or otherwise; 0 is its normal position.
+    /// Joint (stator–rotor) angles from encoders, the second IMU or otherwise; 0 is the normal position.
     ///
     /// Newer documents call it FRAME_CAM_ANGLE.
     pub stator_rotor_angle: PerAxis<Angle>,
     pub reserved_1: Reserved<1>,
-    /// How much each motor has to hold: 0 when balanced, 512 when it takes all its power.
+    /// Balance error of each motor: 0 when balanced, 512 at full power.
     #[wire(range = -512..=512)]
     pub balance_error: PerAxis<i16>,
     /// Current of the whole system.
@@ -116,21 +116,21 @@ pub struct RealtimeData4 {
     /// Temperature of the frame's IMU.
     #[wire(unit = "degC", range = -127..=127)]
     pub frame_imu_temperature: i8,
-    /// How far the estimated gravity is off its reference, for the active IMU.
+    /// Error of the estimated gravity of the active IMU against its reference.
     pub imu_g_err: AttitudeError,
-    /// How far the estimated heading is off its reference, for the active IMU.
+    /// Error of the estimated heading of the active IMU against its reference.
     pub imu_h_err: AttitudeError,
-    /// What the motors put out, 10000 at full power; firmware with encoders only.
+    /// Motor output, 10000 at full power; firmware with encoders only.
     #[wire(range = -10000..=10000, since = "2.61")]
     pub motor_out: PerAxis<i16>,
-    /// Which calibration or automatic task runs. Reserved before newer firmware.
+    /// Running calibration or automatic task. Reserved in older firmware.
     pub calib_mode: CalibMode,
     /// Error of the sensor behind a CAN IMU. Reserved before newer firmware.
     pub can_imu_ext_sens_err: u8,
     /// The angle that control works on: that of the IMU in inertial modes, of the motor in modes relative to motors.
     #[wire(since = "2.72b0")]
     pub actual_angle: PerAxis<Angle>,
-    /// What state the system is in.
+    /// System state flags.
     #[wire(since = "2.73")]
     pub system_state_flags: SystemStateFlags,
     pub reserved_2: Reserved<18>,

@@ -18,5 +18,3 @@ pub use custom::*;
 pub use custom2::*;
 pub use fixed::*;
 pub use state::*;
-
-pub(super) use custom::decode_view;

@@ -1,4 +1,4 @@
-//! What the board keeps: EEPROM, files, user data, and the state that outlives a restart.
+//! Storage on the board: EEPROM, files, user data and the persistent state.
 
 mod eeprom;
 mod files;

@@ -5,9 +5,9 @@ use sbgc_proto_macros::message;
 use crate::commands::Confirm;
 use crate::wire::Bytes;
 
-/// Asks for the user's data.
+/// Requests the user's data.
 #[message(CMD_READ_EXTERNAL_DATA, outgoing, size = 0, answer = ExternalData)]
-pub struct ReadExternalData {}
+pub struct ReadExternalData;
 
 /// The user's data: bytes in the EEPROM that the board itself does not use.
 #[message(CMD_READ_EXTERNAL_DATA, incoming, size = 128)]

@@ -4,16 +4,17 @@ use sbgc_proto_macros::{message, open_enum};
 
 use crate::CommandId;
 use crate::commands::Confirm;
-use crate::wire::{Reserved, bit_fields, flags};
+use crate::declare::{bit_fields, flags};
+use crate::wire::Reserved;
 
 /// Has the board send a copy of what goes over its other ports, or stop that.
 ///
 /// The board confirms it.
 #[message(CMD_SET_DEBUG_PORT, outgoing, size = 16, since = "2.66b4", answer = Confirm)]
 pub struct SetDebugPortRequest {
-    /// What to do.
+    /// Action to perform.
     pub action: DebugPortAction,
-    /// Which messages to leave out.
+    /// Messages to omit.
     pub cmd_filter: DebugPortFilter,
     pub reserved: Reserved<11>,
 }
@@ -41,12 +42,12 @@ bit_fields! {
     pub struct PortAndDirection: u8 {
         /// Number of the port.
         0..=6 => port / with_port "PORT": u8,
-        /// Which way. Whether 1 means to the board or from it is not known.
-        7..=7 => direction / with_direction "DIR": bool,
+        /// Direction. Which direction 1 means is unknown.
+        7 => direction / with_direction "DIR": bool,
     }
 }
 
-/// What to do with the copy. Spec: `DEBUG_PORT_ACTION`.
+/// Starts or stops the copy. Spec: `DEBUG_PORT_ACTION`.
 #[open_enum(u8)]
 pub enum DebugPortAction {
     /// Send it no longer.
@@ -56,38 +57,38 @@ pub enum DebugPortAction {
 }
 
 flags! {
-    /// Which messages are left out: a set bit keeps one from being sent. Only the `plus` firmware looks at it. Spec:
+    /// Messages to omit: a set bit suppresses them. Only the `plus` firmware evaluates this. Spec:
     /// `DEBUG_PORT_FILTER`.
-    pub struct DebugPortFilter: u32 {
+    pub struct DebugPortFilter: u32, prefix "CMD_" {
         /// Real-time data.
-        const REALTIME_DATA_3 "CMD_REALTIME_DATA_3" = 1 << 0;
+        const REALTIME_DATA_3 = 1 << 0;
         /// Extended real-time data.
-        const REALTIME_DATA_4 "CMD_REALTIME_DATA_4" = 1 << 1;
+        const REALTIME_DATA_4 = 1 << 1;
         /// Real-time data chosen by flags.
-        const REALTIME_DATA_CUSTOM "CMD_REALTIME_DATA_CUSTOM" = 1 << 2;
+        const REALTIME_DATA_CUSTOM = 1 << 2;
         /// Debug variables.
-        const DEBUG_VARS_3 "CMD_DEBUG_VARS_3" = 1 << 3;
+        const DEBUG_VARS_3 = 1 << 3;
         /// Debug information of MAVLink.
-        const MAVLINK_DEBUG "CMD_MAVLINK_DEBUG" = 1 << 4;
+        const MAVLINK_DEBUG = 1 << 4;
         /// Angles.
-        const GET_ANGLES "CMD_GET_ANGLES" = 1 << 5;
+        const GET_ANGLES = 1 << 5;
         /// Extended angles.
-        const GET_ANGLES_EXT "CMD_GET_ANGLES_EXT" = 1 << 6;
+        const GET_ANGLES_EXT = 1 << 6;
         /// Data of the Bode test.
-        const BODE_TEST_DATA "CMD_BODE_TEST_DATA" = 1 << 7;
+        const BODE_TEST_DATA = 1 << 7;
         /// Helper data from a flight controller.
-        const HELPER_DATA "CMD_HELPER_DATA" = 1 << 8;
+        const HELPER_DATA = 1 << 8;
         /// Attitude from or to another system.
-        const AHRS_HELPER "CMD_AHRS_HELPER" = 1 << 9;
+        const AHRS_HELPER = 1 << 9;
         /// Corrections of the gyroscope.
-        const GYRO_CORRECTION "CMD_GYRO_CORRECTION" = 1 << 10;
+        const GYRO_CORRECTION = 1 << 10;
         /// Control.
-        const CONTROL "CMD_CONTROL" = 1 << 11;
+        const CONTROL = 1 << 11;
         /// Changes of adjustable variables.
-        const SET_ADJ_VARS_VAL "CMD_SET_ADJ_VARS_VAL" = 1 << 12;
+        const SET_ADJ_VARS_VAL = 1 << 12;
         /// Virtual channels.
-        const API_VIRT_CH_CONTROL "CMD_API_VIRT_CH_CONTROL" = 1 << 13;
+        const API_VIRT_CH_CONTROL = 1 << 13;
         /// Virtual channels in high resolution.
-        const API_VIRT_CH_HIGH_RES "CMD_API_VIRT_CH_HIGH_RES" = 1 << 14;
+        const API_VIRT_CH_HIGH_RES = 1 << 14;
     }
 }

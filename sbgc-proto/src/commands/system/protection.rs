@@ -3,12 +3,13 @@
 use sbgc_proto_macros::message;
 
 use crate::commands::Confirm;
-use crate::wire::{Bytes, Reserved, Text, flags};
+use crate::declare::flags;
+use crate::wire::{Bytes, Reserved, Text};
 
 /// Has the board sign a message with its secret keys.
 #[message(CMD_SIGN_MESSAGE, outgoing, size = 33, answer = SignMessage)]
 pub struct SignMessageRequest {
-    /// Which set of keys to use.
+    /// Key set to sign with.
     pub sign_type: u8,
     /// The message; shorter ones are filled up with zeros.
     pub message: Bytes<32>,
@@ -23,14 +24,14 @@ pub struct SignMessage {
 
 /// Asks what the password protects.
 #[message(CMD_PASS_PROTECT_READ, outgoing, size = 0, since = "2.73.6", answer = PassProtectRead)]
-pub struct PassProtectReadRequest {}
+pub struct PassProtectReadRequest;
 
-/// What the password protects.
+/// Functions protected by the password.
 ///
 /// Published in the vendor's Python library only.
 #[message(CMD_PASS_PROTECT_READ, incoming, size = 8, since = "2.73.6")]
 pub struct PassProtectRead {
-    /// What is protected.
+    /// Protected functions.
     pub flags: PassProtectFlags,
     pub reserved: Reserved<4>,
 }
@@ -42,7 +43,7 @@ pub struct PassProtectRead {
 /// Published in the vendor's Python library only.
 #[message(CMD_PASS_PROTECT_WRITE, outgoing, size = 9..=41, since = "2.73.6", answer = Confirm)]
 pub struct PassProtectWrite<'a> {
-    /// What to protect.
+    /// Functions to protect.
     pub flags: PassProtectFlags,
     pub reserved: Reserved<4>,
     /// The new password of at most 32 bytes; an empty one keeps the present password.
@@ -50,11 +51,11 @@ pub struct PassProtectWrite<'a> {
 }
 
 flags! {
-    /// What the password protects. Spec: `PASS_PROTECT_FLAG`.
+    /// Functions protected by the password. Spec: `PASS_PROTECT_FLAG`.
     pub struct PassProtectFlags: u32 {
         /// The parameters are encrypted.
         const ENCRYPT_PARAMS = 1 << 1;
-        /// Called silent; what that does is not published.
+        /// Named SILENT; its effect is not published.
         const SILENT = 1 << 2;
         /// Channel 1 is protected.
         const CHANNEL_1_ENABLED = 1 << 4;

@@ -1,28 +1,27 @@
 //! Serial ports of devices on the CAN bus.
 
+use crate::declare::{bit_enums, bit_fields};
 use sbgc_proto_macros::{message, open_enum};
-
-use crate::wire::{bit_enums, bit_fields};
 
 /// Sends bytes to a serial port of a device on the CAN bus.
 ///
 /// Only boards of the extended family can.
 #[message(CMD_TRANSPARENT_SAPI, outgoing, size = 1..=255, since = "2.72b0")]
 pub struct TransparentSapiRequest<'a> {
-    /// Which port of which device.
+    /// Target device and port.
     pub target: SapiTarget,
-    /// The bytes.
+    /// Payload bytes.
     pub data: &'a [u8],
 }
 
 /// Bytes that came from a serial port of a device on the CAN bus.
 ///
-/// The [`target`](Self::target) in this direction is that of the vendor's libraries; a third-party one has none.
+/// The [`target`](Self::target) in this direction is that of the vendor's libraries; a third-party library has none.
 #[message(CMD_TRANSPARENT_SAPI, incoming, size = 1..=255, since = "2.72b0")]
 pub struct TransparentSapi<'a> {
-    /// Which port of which device.
+    /// Target device and port.
     pub target: SapiTarget,
-    /// The bytes.
+    /// Payload bytes.
     pub data: &'a [u8],
 }
 
@@ -43,7 +42,7 @@ bit_fields! {
         /// others they take those of the published definitions, which are the ones here.
         2..=5 => device / with_device "DEVICE": SapiDevice,
         /// Whether to wait until the bytes can be sent; otherwise they are dropped when the port is busy.
-        6..=6 => wait / with_wait "WAIT": bool,
+        6 => wait / with_wait "WAIT": bool,
     }
 }
 
@@ -60,11 +59,11 @@ pub enum SapiDevice {
     /// The board itself.
     #[wire(spec = "SBGC32")]
     Sbgc32 = 1,
-    /// The GPS and inertial measurement unit.
+    /// The GPS and IMU.
     GpsImu = 2,
-    /// The main inertial measurement unit on the CAN bus.
+    /// The main IMU on the CAN bus.
     CanImuMain = 3,
-    /// The inertial measurement unit of the frame on the CAN bus.
+    /// The IMU of the frame on the CAN bus.
     CanImuFrame = 4,
     /// The split GPS receiver.
     GpsSplitRcvr = 5,

@@ -3,8 +3,9 @@
 use sbgc_proto_macros::{message, open_enum, record};
 
 use crate::commands::Confirm;
+use crate::declare::{bit_fields, flags};
 use crate::units::{GainMargin, TestAngle, TestFrequencyFrom, TestFrequencyTo};
-use crate::wire::{PerAxis, Reserved, bit_fields, flags};
+use crate::wire::{PerAxis, Reserved};
 
 /// Stops automatic tuning or reads its configuration.
 ///
@@ -12,7 +13,7 @@ use crate::wire::{PerAxis, Reserved, bit_fields, flags};
 /// `CMD_ERROR` with an [`AutoPid2Error`](crate::commands::AutoPid2Error) in place of the confirmation.
 #[message(CMD_AUTO_PID2, outgoing, form = "simple", default, size = 11, length = 11, since = "2.70", answer = Confirm)]
 pub struct AutoPid2SimpleRequest {
-    /// What to do.
+    /// Action to perform.
     pub action: AutoPid2Action,
     pub reserved: Reserved<10>,
 }
@@ -21,38 +22,38 @@ pub struct AutoPid2SimpleRequest {
 ///
 /// **The gimbal moves.** One `CMD_CONFIRM` comes at once, or `CMD_ERROR` with an
 /// [`AutoPid2Error`](crate::commands::AutoPid2Error). When it is done the board sends the parameters of the current
-/// profile without being asked (`CMD_READ_PARAMS_3` and the other blocks). How long it takes is not published.
+/// profile unsolicited (`CMD_READ_PARAMS_3` and the other blocks). How long it takes is not published.
 ///
 /// Firmware 2.70 to 2.72 has another layout of the same length and with the same version byte,
-/// [`AutoPid2LegacyRequest`]. Only the version of the firmware tells them apart. One library's history of changes has
+/// [`AutoPid2LegacyRequest`]. Only the firmware version distinguishes them. One library's change log has
 /// this one from 2.73.1 on.
 #[message(CMD_AUTO_PID2, outgoing, form = "newer", size = 73, since = "2.73", answer = Confirm)]
 pub struct AutoPid2Request {
-    /// What to do.
+    /// Action to perform.
     pub action: AutoPid2Action,
-    /// What to do besides.
+    /// Additional options.
     pub cmd_flags: AutoPid2CmdFlags,
     pub reserved: Reserved<8>,
     /// Version of the configuration that follows: 1.
     pub cfg_version: u8,
-    /// How to tune each axis.
+    /// Tuning settings of each axis.
     #[wire(group)]
     pub axes: PerAxis<AutoPid2Axis>,
-    /// How to tune all of them.
+    /// Tuning settings common to all axes.
     pub general_flags: AutoPid2GeneralFlags,
     pub reserved2: Reserved<1>,
     /// Lowest frequency of the test.
     pub test_freq_from: TestFrequencyFrom,
     /// Highest frequency of the test. One library's remark has steps of 1 Hz; two others have 2 Hz, as here.
     pub test_freq_to: TestFrequencyTo,
-    /// Which of the positions below to tune at.
+    /// Positions, of those below, at which to tune.
     pub multi_pos_flags: AutoPid2Positions,
     /// Angles of the positions to tune at.
     pub multi_pos_angle: [TestAngle; 4],
     pub reserved3: Reserved<12>,
 }
 
-/// How the second version of automatic tuning treats one axis.
+/// Tuning settings and results of one axis, second version.
 #[record(size = 13)]
 #[derive(Copy)]
 pub struct AutoPid2Axis {
@@ -90,26 +91,26 @@ pub struct AutoPid2Axis {
 /// # Ok::<(), sbgc_proto::DecodeError>(())
 /// ```
 ///
-/// All else is as with that one. The specification wants the configuration for starting only; libraries send it with
+/// Otherwise like that one. The specification requires the configuration for starting only; libraries send it with
 /// [`AutoPid2Action::Save`] too.
 #[message(CMD_AUTO_PID2, outgoing, size = 73, length = 73, since = "2.70", answer = Confirm)]
 pub struct AutoPid2LegacyRequest {
-    /// What to do.
+    /// Action to perform.
     pub action: AutoPid2Action,
     pub reserved: Reserved<10>,
     /// Version of the configuration that follows: 1.
     pub cfg_version: u8,
-    /// How to tune each axis.
+    /// Tuning settings of each axis.
     #[wire(group)]
     pub axes: PerAxis<AutoPid2LegacyAxis>,
-    /// How to tune all of them.
+    /// Tuning settings common to all axes.
     pub general_flags: AutoPid2GeneralFlags,
     /// Whether to tune each time the board starts.
     pub startup_cfg: AutoPid2StartupCfg,
     pub reserved2: Reserved<22>,
 }
 
-/// How the second version of automatic tuning treats one axis, in firmware 2.70 to 2.72.
+/// Tuning settings and results of one axis, second version. Firmware 2.70 to 2.72.
 #[record(size = 12)]
 #[derive(Copy)]
 pub struct AutoPid2LegacyAxis {
@@ -130,38 +131,33 @@ pub struct AutoPid2LegacyAxis {
     pub reserved: Reserved<6>,
 }
 
-/// The configuration of automatic tuning, presumably what [`AutoPid2Action::Read`] asks for.
+/// Configuration of automatic tuning, presumably the answer to [`AutoPid2Action::Read`].
 ///
 /// The layout is not published, so these bytes stay as they came.
 #[message(CMD_AUTO_PID2, incoming, form = "undocumented", default, size = 0..=255)]
 pub struct AutoPid2<'a> {
-    /// The payload.
+    /// Payload bytes.
     pub data: &'a [u8],
 }
 
-/// What the second version of automatic tuning is to do. Spec: `AUTO_PID2_ACTION`.
-#[open_enum(u8)]
+/// Action of automatic tuning, second version. Spec: `AUTO_PID2_ACTION`.
+#[open_enum(u8, prefix = "ACTION_")]
 pub enum AutoPid2Action {
     /// Tune, with this configuration but without saving it.
-    #[wire(spec = "ACTION_START")]
     Start = 1,
     /// Save this configuration in EEPROM and tune.
-    #[wire(spec = "ACTION_START_SAVE")]
     StartSave = 2,
     /// Save this configuration in EEPROM.
-    #[wire(spec = "ACTION_SAVE")]
     Save = 3,
     /// Stop tuning.
-    #[wire(spec = "ACTION_STOP")]
     Stop = 5,
     /// Read the configuration from EEPROM.
-    #[wire(spec = "ACTION_READ")]
     Read = 6,
 }
 
 /// Whether to tune each time the board starts, in firmware 2.70 to 2.72. Spec: `AUTO_PID2_STARTUP_CFG`.
 ///
-/// From 2.73 on [`AutoPid2GeneralFlags`] say it.
+/// Firmware 2.73+ uses [`AutoPid2GeneralFlags`] instead.
 #[open_enum(u8)]
 pub enum AutoPid2StartupCfg {
     /// Do not.
@@ -176,16 +172,16 @@ bit_fields! {
     /// Whether and what to tune on an axis. Spec: `AUTO_PID2_AXIS_FLAGS`.
     pub struct AutoPid2AxisFlags: u8 {
         /// The axis is tuned.
-        0..=0 => enabled / with_enabled "ENABLED": bool,
+        0 => enabled / with_enabled "ENABLED": bool,
         /// Its low-pass filter is tuned too.
-        1..=1 => tune_lpf / with_tune_lpf "TUNE_LPF": bool,
-        /// How many notch filters are tuned.
+        1 => tune_lpf / with_tune_lpf "TUNE_LPF": bool,
+        /// Number of notch filters to tune.
         2..=3 => notch_num / with_notch_num "NOTCH_NUM": u8,
     }
 }
 
 flags! {
-    /// How all axes are tuned. Spec: `AUTO_PID2_GENERAL_FLAGS`.
+    /// Tuning options common to all axes. Spec: `AUTO_PID2_GENERAL_FLAGS`.
     pub struct AutoPid2GeneralFlags: u16 {
         /// Start from the present values.
         const START_FROM_CURRENT = 1 << 0;
@@ -193,17 +189,17 @@ flags! {
         const SAVE_TO_ALL_PROFILES = 1 << 1;
         /// Tune the gain only.
         const TUNE_GAIN_ONLY = 1 << 2;
-        /// Save the result without being told.
+        /// Save the result automatically.
         const AUTO_SAVE = 1 << 4;
-        /// Tune everything each time the board starts. Firmware 2.73 and later.
+        /// Tune everything each time the board starts. Firmware 2.73+.
         const RUN_AT_START_TUNE_ALL = 1 << 14;
-        /// Tune the gain each time the board starts. Firmware 2.73 and later.
+        /// Tune the gain each time the board starts. Firmware 2.73+.
         const RUN_AT_START_TUNE_GAIN = 1 << 15;
     }
 }
 
 flags! {
-    /// What the board does besides the action, firmware 2.73 and later. Spec: `AUTO_PID2_CMD_FLAGS`.
+    /// Options of the action. Spec: `AUTO_PID2_CMD_FLAGS`. Firmware 2.73+.
     pub struct AutoPid2CmdFlags: u16 {
         /// Send the parameters when the tuning is done.
         const SEND_PARAMS_ON_FINISH = 1 << 0;
@@ -211,7 +207,7 @@ flags! {
 }
 
 flags! {
-    /// Positions to tune at, firmware 2.73 and later. Spec: `AUTO_PID2_MULTI_POS_FLAGS`.
+    /// Positions to tune at, firmware 2.73+. Spec: `AUTO_PID2_MULTI_POS_FLAGS`.
     pub struct AutoPid2Positions: u8 {
         /// The first.
         const POS1 = 1 << 0;

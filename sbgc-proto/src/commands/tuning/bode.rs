@@ -10,7 +10,7 @@ use crate::wire::{Float, List, Reserved};
 /// Starts a Bode test on one axis.
 ///
 /// **The gimbal moves.** It needs motors that are on and a board that has this function. `CMD_CONFIRM` comes first,
-/// which old firmware may leave out, then [`BodeTestData`] again and again without being asked, and
+/// which old firmware may leave out, then [`BodeTestData`] periodically unsolicited, and
 /// [`BodeTestStartStop`] at the end, after `samples_num` times 0.8 ms. How to stop a test early is not known.
 #[message(CMD_BODE_TEST_START_STOP, outgoing, form = "start", default, size = 30, answer = Confirm)]
 pub struct BodeTestStartStopRequest {
@@ -24,7 +24,7 @@ pub struct BodeTestStartStopRequest {
     /// Highest frequency, not below `start_freq`.
     #[wire(unit = "Hz")]
     pub end_freq: u16,
-    /// What is measured.
+    /// Measured system.
     pub system: BodeTestSystem,
     /// Length of the test in samples of 0.8 ms, at least 1. The vendor's package takes no less than 5000, which is 4 s.
     #[wire(range = 1..=4_294_967_295_u32)]
@@ -32,7 +32,7 @@ pub struct BodeTestStartStopRequest {
     /// Kept for later, zero.
     #[wire(range = 0..=0)]
     pub mode: u8,
-    /// Lowest frequency. The vendor's package takes 3 Hz unless told otherwise.
+    /// Minimum frequency. The vendor's package uses 3 Hz by default.
     #[wire(unit = "Hz")]
     pub start_freq: u16,
     pub reserved: Reserved<16>,
@@ -41,7 +41,7 @@ pub struct BodeTestStartStopRequest {
 /// A Bode test has ended.
 #[message(CMD_BODE_TEST_START_STOP, incoming, form = "finished", default, size = 22)]
 pub struct BodeTestStartStop {
-    /// How many samples there were. Some firmware gives the number of the last one, which is one less.
+    /// Number of samples. Some firmware reports the number of the last sample, which is one less.
     pub samples_count: u32,
     /// 0 for success; what others mean is not known.
     pub error_code: u16,
@@ -52,19 +52,19 @@ pub struct BodeTestStartStop {
 
 /// Samples of a Bode test that is running.
 ///
-/// They come without being asked for. Samples are raw numbers between the least and the greatest value that the message
+/// They come unsolicited. Samples are raw numbers between the least and the maximum value that the message
 /// names; [`values`](Self::values) gives what they stand for.
 #[message(CMD_BODE_TEST_DATA, incoming, size = 17..=97)]
 pub struct BodeTestData {
-    /// How many samples came before these, modulo 256.
+    /// Number of samples before these, modulo 256.
     pub sample_counter: u8,
-    /// The input that raw 0 stands for.
+    /// Input for raw 0.
     pub input_min: Float,
-    /// The output that raw 0 stands for.
+    /// Output for raw 0.
     pub output_min: Float,
-    /// The input that raw 65534 stands for.
+    /// Input for raw 65534.
     pub input_max: Float,
-    /// The output that raw 65534 stands for.
+    /// Output for raw 65534.
     pub output_max: Float,
     /// The samples.
     #[wire(group)]
@@ -89,9 +89,9 @@ impl BodeTestData {
 #[record(size = 4)]
 #[derive(Copy)]
 pub struct BodeSample {
-    /// What went in.
+    /// Input sample.
     pub input: u16,
-    /// What came out.
+    /// Output sample.
     pub output: u16,
 }
 
@@ -106,7 +106,7 @@ pub enum BodeStimulusType {
     ExponentialSineSweep = 3,
 }
 
-/// What a Bode test measures. Spec: `BODE_TEST_SYSTEM`.
+/// System measured by a Bode test. Spec: `BODE_TEST_SYSTEM`.
 ///
 /// The numbers look like sets of bits; only these are known.
 #[open_enum(u8)]

@@ -41,5 +41,5 @@ fn turn(decoder: &mut Decoder, mut received: &[u8], transmit: &mut [u8]) -> usiz
             return control.encode_frame(Version::V2, transmit).map_or(0, <[u8]>::len);
         }
     }
-    GetAngles {}.encode_frame(Version::V2, transmit).map_or(0, <[u8]>::len)
+    GetAngles.encode_frame(Version::V2, transmit).map_or(0, <[u8]>::len)
 }

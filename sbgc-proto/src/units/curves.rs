@@ -64,7 +64,7 @@ macro_rules! curves {
             )+
         }
 
-        crate::wire::number_type!($name: u8, read |raw| $name(raw), raw |value| value.0);
+        crate::declare::number_type!($name: u8, read |raw| $name(raw), raw |value| value.0);
 
         #[cfg(feature = "reflect")]
         impl crate::reflect::NumberType for $name {
@@ -88,20 +88,20 @@ curves! {
     /// Before firmware 2.73.1 the raw number itself is the term. From there on the scale is logarithmic.
     ///
     /// ```
-    /// use sbgc_proto::commands::PidTerm;
+    /// use sbgc_proto::units::PidTerm;
     ///
     /// assert_eq!(PidTerm(255).logarithmic(), 255.0);
     /// assert_eq!(PidTerm::from_logarithmic(3.0), PidTerm(30));
     /// ```
     PidTerm {
-        /// The term as firmware 2.73.1 and later has it: `5 * exp(raw * ln(52) / 255) - 5`.
+        /// The term as firmware 2.73.1+ has it: `5 * exp(raw * ln(52) / 255) - 5`.
         logarithmic / from_logarithmic = logarithmic;
     }
 
     /// The gain that multiplies all terms of a PID controller.
     ///
     /// ```
-    /// use sbgc_proto::commands::PidGain;
+    /// use sbgc_proto::units::PidGain;
     ///
     /// assert_eq!(PidGain(70).gain(), 1.5);
     /// assert_eq!(PidGain::from_gain(1.5), PidGain(70));
@@ -109,13 +109,13 @@ curves! {
     PidGain {
         /// The gain as firmware up to 2.73.0 has it: `0.1 + raw * 0.02`.
         gain / from_gain = |raw| 0.1 + f64::from(raw) * 0.02;
-        /// The gain as firmware 2.73.1 and later has it, if the formula is that of the single terms:
+        /// The gain as firmware 2.73.1+ has it, if the formula is that of the single terms:
         /// `5 * exp(raw * ln(52) / 255) - 5`.
         ///
         /// The vendor gives this formula, and an inverse that does not belong to it but to
-        /// [`centered`](Self::centered). Which is right is not settled.
+        /// [`centered`](Self::centered). Which is right is unknown.
         logarithmic / from_logarithmic = logarithmic;
-        /// The gain as firmware 2.73.1 and later has it, if the vendor's inverse formula is right:
+        /// The gain as firmware 2.73.1+ has it, if the vendor's inverse formula is right:
         /// `50^((raw - 1) / 127) / 50`, which is 1 for raw 128. See [`logarithmic`](Self::logarithmic).
         centered / from_centered = |raw| power(ROOT_OF_50, raw) / ROOT_OF_50 / 50.0;
     }

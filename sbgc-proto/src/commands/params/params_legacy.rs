@@ -4,13 +4,13 @@ use sbgc_proto_macros::message;
 
 use crate::commands::{Confirm, ProfileId};
 
-/// Asks for the parameters of a profile, in the layout of old boards.
+/// Requests the parameters of a profile, in the layout of old boards.
 ///
 /// Deprecated: [`ReadParams3`](super::ReadParams3) and its fellows replace it. What boards of 32 bits answer is not
 /// known.
 #[message(CMD_READ_PARAMS, outgoing, size = 1, answer = Params<'answer>)]
 pub struct ReadParams {
-    /// Which profile. Any number above 4 is the active one.
+    /// Profile; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
@@ -20,7 +20,7 @@ pub struct ReadParams {
 /// [`Params3`](super::Params3), up to `FOLLOW_OFFSET`.
 #[message(CMD_READ_PARAMS, incoming, form = "undocumented", default, size = 0..=255)]
 pub struct Params<'a> {
-    /// The bytes.
+    /// Payload bytes.
     pub data: &'a [u8],
 }
 
@@ -29,6 +29,6 @@ pub struct Params<'a> {
 /// Deprecated, and not published.
 #[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", default, size = 0..=255, answer = Confirm)]
 pub struct WriteParams<'a> {
-    /// The bytes.
+    /// Payload bytes.
     pub data: &'a [u8],
 }

@@ -34,15 +34,23 @@ impl BitField for u8 {
 ///     pub struct Name: u8 {
 ///         /// What it means.
 ///         const NAME = 1 << 0;
-///         /// With the spec's name, where it is longer.
-///         const OTHER "PREFIX_OTHER" = 1 << 1;
+///         /// With the spec's name, where it is another.
+///         const OTHER "SOMETHING_ELSE" = 1 << 1;
 ///     }
 /// }
 /// ```
+///
+/// After the integer may stand `prefix "…"`, which the spec's names have before those here.
 macro_rules! flags {
     (
         $(#[$attribute:meta])*
-        pub struct $name:ident: $integer:ident {
+        pub struct $name:ident: $integer:ident { $($body:tt)* }
+    ) => {
+        $crate::declare::flags! { $(#[$attribute])* pub struct $name: $integer, prefix "" { $($body)* } }
+    };
+    (
+        $(#[$attribute:meta])*
+        pub struct $name:ident: $integer:ident, prefix $prefix:literal {
             $($(#[doc = $doc:literal])+ const $flag:ident $($spec:literal)? = $value:expr;)*
         }
     ) => {
@@ -54,7 +62,9 @@ macro_rules! flags {
                 $(
                     $(#[doc = $doc])+
                     #[doc = ""]
-                    #[doc = concat!("Spec: `", $crate::wire::spec_name!($flag $($spec)?), "`.")]
+                    #[doc = concat!(
+                        "Spec: `", $crate::declare::spec_name!($prefix, $flag $($spec)?), "` = `", stringify!($value), "`."
+                    )]
                     const $flag = $value;
                 )*
                 // Every bit is known to the set, so that no operation drops one.
@@ -67,13 +77,13 @@ macro_rules! flags {
             pub const LABELS: &'static [$crate::wire::Label] = &[
                 $($crate::wire::Label {
                     value: $value,
-                    name: $crate::wire::spec_name!($flag $($spec)?),
-                    doc: $crate::wire::first_doc!($($doc)+),
+                    name: $crate::declare::spec_name!($prefix, $flag $($spec)?),
+                    doc: $crate::declare::first_doc!($($doc)+),
                 }),*
             ];
         }
 
-        $crate::wire::number_type!(
+        $crate::declare::number_type!(
             $name: $integer, read |raw| $name::from_bits_retain(raw), raw |flags| flags.bits()
         );
 
@@ -103,12 +113,12 @@ macro_rules! flags {
 }
 pub(crate) use flags;
 
-/// The spec's name of a flag: its own, or the one that is given.
+/// The spec's name of a flag: its own behind the prefix, or the one that is given.
 macro_rules! spec_name {
-    ($flag:ident) => {
-        stringify!($flag)
+    ($prefix:literal, $flag:ident) => {
+        concat!($prefix, stringify!($flag))
     };
-    ($flag:ident $spec:literal) => {
+    ($prefix:literal, $flag:ident $spec:literal) => {
         $spec
     };
 }
@@ -131,7 +141,9 @@ pub(crate) use first_doc;
 ///         /// What it means.
 ///         0..=4 => channel / with_channel "CHANNEL": u8,
 ///         /// What it means.
-///         5..=7 => kind / with_kind "TYPE": Kind,
+///         5..=6 => kind / with_kind "TYPE": Kind,
+///         /// What it means.
+///         7 => is_set / with_set "SET": bool,
 ///     }
 ///     // If some values have names as a whole.
 ///     names {
@@ -141,13 +153,13 @@ pub(crate) use first_doc;
 /// }
 /// ```
 ///
-/// Each part gets a reader of its name and a `with_` method; that one keeps a value that is too great for the bits at
-/// the greatest that they hold.
+/// Each part gets a reader of its name and a `with_` method, which turns a value too large for the bits into the
+/// maximum that they hold.
 macro_rules! bit_fields {
     (
         $(#[$attribute:meta])*
         pub struct $name:ident: $integer:ident {
-            $($(#[doc = $doc:literal])+ $low:literal..=$high:literal => $part:ident / $with:ident $spec:literal: $ty:ty,)*
+            $($(#[doc = $doc:literal])+ $low:literal $(..= $high:literal)? => $part:ident / $with:ident $spec:literal: $ty:ty,)*
         }
         $(names { $($(#[doc = $name_doc:literal])+ $named:ident = $value:literal;)* })?
     ) => {
@@ -167,18 +179,18 @@ macro_rules! bit_fields {
             $(
                 $(#[doc = $doc])+
                 #[doc = ""]
-                #[doc = concat!("Spec: `", $spec, "`, bits ", $low, " to ", $high, ".")]
+                #[doc = concat!("Spec: `", $spec, "`, ", $crate::declare::bit_words!($low $($high)?), ".")]
                 pub fn $part(self) -> $ty {
-                    let mask = u32::MAX >> (31 - ($high - $low));
-                    <$ty as $crate::wire::BitField>::from_bits((u32::from(self.0) >> $low) & mask)
+                    let mask = u32::MAX >> (32 - $crate::declare::bit_width!($low $($high)?));
+                    <$ty as $crate::declare::BitField>::from_bits((u32::from(self.0) >> $low) & mask)
                 }
 
-                #[doc = concat!("The same with another [`", stringify!($part), "`](Self::", stringify!($part),
-                    "); one that is too great for its bits becomes the greatest they hold.")]
+                #[doc = concat!("Returns a copy with [`", stringify!($part), "`](Self::", stringify!($part),
+                    ") replaced; a value too large for its bits becomes the maximum they hold.")]
                 #[must_use]
                 pub fn $with(self, value: $ty) -> Self {
-                    let mask = u32::MAX >> (31 - ($high - $low));
-                    let part = $crate::wire::BitField::into_bits(value).min(mask) << $low;
+                    let mask = u32::MAX >> (32 - $crate::declare::bit_width!($low $($high)?));
+                    let part = $crate::declare::BitField::into_bits(value).min(mask) << $low;
                     let bits = (u32::from(self.0) & !(mask << $low)) | part;
                     // No bit of `bits` is beyond those of the integer.
                     Self($integer::try_from(bits).unwrap_or($integer::MAX))
@@ -186,7 +198,7 @@ macro_rules! bit_fields {
             )*
         }
 
-        $crate::wire::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
+        $crate::declare::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
 
         #[cfg(feature = "serde")]
         $crate::serde_support::parts!($name($integer));
@@ -198,14 +210,14 @@ macro_rules! bit_fields {
                     $($crate::reflect::BitPart {
                         name: $spec,
                         low: $low,
-                        width: $high - $low + 1,
-                        labels: <$ty as $crate::wire::BitLabels>::LABELS,
-                        doc: $crate::wire::first_doc!($($doc)+),
+                        width: $crate::declare::bit_width!($low $($high)?),
+                        labels: <$ty as $crate::declare::BitLabels>::LABELS,
+                        doc: $crate::declare::first_doc!($($doc)+),
                     }),*
                 ], &[$($($crate::wire::Label {
                     value: $value,
                     name: stringify!($named),
-                    doc: $crate::wire::first_doc!($($name_doc)+),
+                    doc: $crate::declare::first_doc!($($name_doc)+),
                 }),*)?]),
                 ..$crate::reflect::Number::plain($crate::reflect::Scalar::$integer)
             };
@@ -222,10 +234,32 @@ macro_rules! bit_fields {
 }
 pub(crate) use bit_fields;
 
+/// The bits of a part in words.
+macro_rules! bit_words {
+    ($bit:literal) => {
+        concat!("bit ", $bit)
+    };
+    ($low:literal $high:literal) => {
+        concat!("bits ", $low, " to ", $high)
+    };
+}
+pub(crate) use bit_words;
+
+/// How many bits a part has.
+macro_rules! bit_width {
+    ($bit:literal) => {
+        1
+    };
+    ($low:literal $high:literal) => {
+        $high - $low + 1
+    };
+}
+pub(crate) use bit_width;
+
 /// Labels of a type that can be a part of a number: none for plain ones.
 #[cfg(feature = "reflect")]
 pub(crate) trait BitLabels {
-    const LABELS: &'static [super::Label] = &[];
+    const LABELS: &'static [crate::wire::Label] = &[];
 }
 
 #[cfg(feature = "reflect")]
@@ -237,9 +271,9 @@ impl BitLabels for bool {}
 /// Lets open enumerations of one byte be parts of a number.
 macro_rules! bit_enums {
     ($($name:ty),* $(,)?) => { $(
-        impl $crate::wire::BitField for $name {
+        impl $crate::declare::BitField for $name {
             fn from_bits(bits: u32) -> Self {
-                Self::from_raw(<u8 as $crate::wire::BitField>::from_bits(bits))
+                Self::from_raw(<u8 as $crate::declare::BitField>::from_bits(bits))
             }
 
             fn into_bits(self) -> u32 {
@@ -248,7 +282,7 @@ macro_rules! bit_enums {
         }
 
         #[cfg(feature = "reflect")]
-        impl $crate::wire::BitLabels for $name {
+        impl $crate::declare::BitLabels for $name {
             const LABELS: &'static [$crate::wire::Label] = <$name>::LABELS;
         }
     )* };

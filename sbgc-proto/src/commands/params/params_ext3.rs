@@ -4,19 +4,19 @@ use sbgc_proto_macros::message;
 
 use super::{
     CanImuSensor, DevicePort, EncoderConfigExt, ExtImuFlags, ExtImuPosition, ExtImuType, ExtraButton,
-    GeneralFlags3, GeneralFlags4, InverseQuality, ProfileFlags2, ProfileFlags3, ServoFactor, ServoTerm,
-    ShakeFrequency, ShakePause, ShakeRange, ShakeResonance,
+    GeneralFlags3, GeneralFlags4, ProfileFlags2, ProfileFlags3,
 };
 use crate::commands::{Confirm, ProfileId, RcSource};
 use crate::units::{
-    Angle, CorrectionAngle, Delay, LimitWidth, ResonanceGain, ServoRate, ShuntResistance, TripCurrent,
+    Angle, CorrectionAngle, Delay, InverseQuality, LimitWidth, ResonanceGain, ServoFactor, ServoRate,
+    ServoTerm, ShakeFrequency, ShakePause, ShakeRange, ShakeResonance, ShuntResistance, TripCurrent,
 };
 use crate::wire::{Bytes, PerAxis, Reserved};
 
-/// Asks for the fourth block of a profile's parameters: external IMU and, in newer firmware, much else.
+/// Requests the fourth block of a profile's parameters: external IMU and, in newer firmware, much else.
 #[message(CMD_READ_PARAMS_EXT3, outgoing, size = 1, since = "2.66", answer = ParamsExt3, echo = profile(profile_id))]
 pub struct ReadParamsExt3 {
-    /// Which profile. Any number above 4 is the active one.
+    /// Profile; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
@@ -25,7 +25,7 @@ pub struct ReadParamsExt3 {
 /// Read the block first with [`ReadParamsExt3`], change what is to be changed and send all the rest as it came. Several
 /// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it.
+/// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(CMD_WRITE_PARAMS_EXT3, outgoing, size = 221, since = "2.66", answer = Confirm)]
 pub struct WriteParamsExt3(pub ParamsExt3);
 
@@ -36,28 +36,28 @@ pub struct WriteParamsExt3(pub ParamsExt3);
 /// firmware began with which field is not published.
 #[message(CMD_READ_PARAMS_EXT3, incoming, size = 221, since = "2.66")]
 pub struct ParamsExt3 {
-    /// Whose parameters these are.
+    /// Profile these parameters belong to.
     pub profile_id: ProfileId,
     pub reserved: Reserved<21>,
     /// Model of the external IMU.
     pub ext_imu_type: ExtImuType,
     /// The port of the external IMU.
     pub ext_imu_port: DevicePort,
-    /// Where the external IMU is mounted.
+    /// Mounting position of the external IMU.
     pub ext_imu_position: ExtImuPosition,
-    /// How the external IMU is mounted: which of its axes points up and which to the right, each as an index into X,
+    /// Orientation of the external IMU: the axes that point up and right, each as an index into X,
     /// Y, Z, -X, -Y, -Z.
     ///
-    /// The byte is raw here, for its division is not settled: the specification has 4 bits for up and then 3 for right,
+    /// The byte is raw here, for its division is unknown: the specification has 4 bits for up and then 3 for right,
     /// the vendor's library 3 and 3.
     pub ext_imu_orientation: u8,
-    /// How the external IMU is used.
+    /// Options of the external IMU.
     pub ext_imu_flags: ExtImuFlags,
     /// Correction of how the external IMU is mounted. Newer firmware.
     pub ext_imu_align_correction: PerAxis<i16>,
-    /// How long the external IMU takes to start. Newer firmware.
+    /// Start-up time of the external IMU. Newer firmware.
     pub ext_imu_startup_delay: u8,
-    /// How fast the external IMU corrects the gyroscope. Newer firmware.
+    /// Rate at which the external IMU corrects the gyroscope. Newer firmware.
     pub ext_imu_gyro_corr_rate: u8,
     pub ext_imu_reserved: Reserved<4>,
     /// Width of each axis' soft limits, which `FRAME_CAM_ANGLE_MIN` and `_MAX` in [`ParamsExt2`](super::ParamsExt2)
@@ -66,17 +66,17 @@ pub struct ParamsExt3 {
     pub soft_limit_width: PerAxis<LimitWidth>,
     /// Signals that take the place of the three analog inputs.
     pub adc_replace_src: [RcSource; 3],
-    /// How fast the middle motor's position is corrected near gimbal lock.
+    /// Correction rate of the middle motor's position near gimbal lock.
     pub glock_mid_mot_pos_corr_rate: u8,
     /// Five extra buttons.
     pub extra_btn_cfg: [ExtraButton; 5],
     /// The current at which the power control switches off.
     pub power_ctrl_overcurrent_protection: TripCurrent,
-    /// How long the power control waits before it switches on.
+    /// Delay of the power control before it switches on.
     pub power_ctrl_power_on_delay: Delay,
-    /// How long the power control waits before it switches off.
+    /// Delay of the power control before it switches off.
     pub power_ctrl_power_off_delay: Delay,
-    /// How the power control limits the current when it switches on.
+    /// Current limit of the power control at switch-on.
     pub power_ctrl_power_on_limiter: u8,
     pub power_ctrl_reserved: Reserved<4>,
     /// Quality of each axis' low-pass filter.
@@ -91,7 +91,7 @@ pub struct ParamsExt3 {
     /// Offset of the neutral point in follow mode.
     #[wire(range = -16384..=16384, since = "2.70")]
     pub follow_offset_ext: PerAxis<Angle>,
-    /// How long the motors wait at start.
+    /// Start-up delay of the motors.
     #[wire(unit = "ms")]
     pub motor_startup_delay: u16,
     /// Model of the main IMU.
@@ -103,7 +103,7 @@ pub struct ParamsExt3 {
     pub stab_threshold_angle: PerAxis<u8>,
     /// The pin of an external buzzer.
     pub ext_buzzer_pin: u8,
-    /// How fast each axis returns from beyond its limits.
+    /// Return speed of each axis from beyond its limits.
     pub enc_limit_return_speed: PerAxis<u8>,
     /// Below which motion tripod mode switches itself on.
     pub tripod_mode_auto_threshold: u8,
@@ -134,13 +134,13 @@ pub struct ParamsExt3 {
     /// Balance between shake and pause.
     #[wire(range = 0..=100)]
     pub shake_pause_balance: u8,
-    /// How much shake is left in a pause.
+    /// Remaining shake during a pause.
     #[wire(range = 0..=100)]
     pub shake_pause_attenuation: u8,
-    /// How irregular pauses are.
+    /// Irregularity of pauses.
     #[wire(range = 0..=100)]
     pub shake_pause_randomness: u8,
-    /// How much the phases of pauses vary.
+    /// Variation of the phases of pauses.
     #[wire(range = 0..=100)]
     pub shake_pause_phase_var: u8,
     /// Gain of the shake generator's resonance on ROLL, TILT and PAN.
@@ -164,7 +164,7 @@ pub struct ParamsExt3 {
     /// Virtual channels that are put out on the two servo outputs of the IMU on the CAN bus, from 1 on; 0 for none.
     #[wire(range = 0..=32)]
     pub can_imu_servo_out: [u8; 2],
-    /// How often those outputs repeat.
+    /// Repetition rate of those outputs.
     #[wire(range = 5..=40)]
     pub can_imu_servo_rate: ServoRate,
     /// Factor of the outer loop's proportional term in servo mode.
@@ -175,7 +175,7 @@ pub struct ParamsExt3 {
     pub ext_pwr_sw_shunt_r: ShuntResistance,
     /// Settings that all profiles share.
     pub general_flags4: GeneralFlags4,
-    /// How long automated motion may take. The unit is not published.
+    /// Timeout of automated motion; the unit is unpublished.
     pub auto_motion_timeout: u8,
     pub reserved4: Reserved<48>,
 }

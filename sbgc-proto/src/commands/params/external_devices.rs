@@ -3,7 +3,7 @@
 use sbgc_proto_macros::open_enum;
 
 use crate::commands::TriggerPinId;
-use crate::wire::{bit_enums, bit_fields};
+use crate::declare::{bit_enums, bit_fields};
 
 /// Model of an external IMU; 0 is none. Spec: `EXT_IMU_TYPE`.
 #[open_enum(u8)]
@@ -22,7 +22,7 @@ pub enum ExtImuType {
     InertialsenseUahrs = 4,
 }
 
-/// Where an external IMU is mounted. Spec: `EXT_IMU_POSITION`.
+/// Mounting position of an external IMU. Spec: `EXT_IMU_POSITION`.
 #[open_enum(u8)]
 pub enum ExtImuPosition {
     /// Below the outer motor.
@@ -39,14 +39,14 @@ bit_fields! {
     /// An extra button: its pin, and how it works. Newer firmware.
     ///
     /// The pin has five bits as the vendor's library reads them: the buzzer and the power of the Spektrum connector
-    /// cannot be said.
+    /// cannot be expressed.
     pub struct ExtraButton: u8 {
         /// The pin; 0 is none.
         0..=4 => pin / with_pin "PIN": TriggerPinId,
         /// Whether it stays pressed until it is pressed again.
-        6..=6 => latching / with_latching "LATCHING": bool,
+        6 => latching / with_latching "LATCHING": bool,
         /// Whether its level is inverted.
-        7..=7 => inverted / with_inverted "INVERT": bool,
+        7 => inverted / with_inverted "INVERT": bool,
     }
 }
 
@@ -55,7 +55,7 @@ bit_fields! {
     pub struct EncoderConfigExt: u16 {
         /// Its resolution in bits, less 12.
         0..=4 => resolution / with_resolution "RESOLUTION": u8,
-        /// How many turns it counts.
+        /// Number of turns it counts.
         5..=7 => multi_turn / with_multi_turn "MULTI_TURN": MultiTurn,
     }
 }

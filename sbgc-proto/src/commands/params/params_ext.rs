@@ -10,10 +10,10 @@ use crate::units::{
 };
 use crate::wire::{PerAxis, Reserved};
 
-/// Asks for the second block of a profile's parameters: filters, encoders, magnetometer.
+/// Requests the second block of a profile's parameters: filters, encoders, magnetometer.
 #[message(CMD_READ_PARAMS_EXT, outgoing, size = 1, answer = ParamsExt, echo = profile(profile_id))]
 pub struct ReadParamsExt {
-    /// Which profile. Any number above 4 is the active one.
+    /// Profile; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
@@ -22,7 +22,7 @@ pub struct ReadParamsExt {
 /// Read the block first with [`ReadParamsExt`], change what is to be changed and send all the rest as it came. Several
 /// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it.
+/// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(CMD_WRITE_PARAMS_EXT, outgoing, size = 104, answer = Confirm)]
 pub struct WriteParamsExt(pub ParamsExt);
 
@@ -32,25 +32,25 @@ pub struct WriteParamsExt(pub ParamsExt);
 /// makes the 104 bytes that the vendor's library has.
 #[message(CMD_READ_PARAMS_EXT, incoming, size = 104)]
 pub struct ParamsExt {
-    /// Whose parameters these are.
+    /// Profile these parameters belong to.
     pub profile_id: ProfileId,
     /// The notch filters of each axis.
     #[wire(group)]
     pub notch_filters: PerAxis<NotchFilters>,
-    /// Where the low-pass filter of each axis cuts off, at -3 dB.
+    /// Cut-off frequency (-3 dB) of the low-pass filter of each axis.
     #[wire(unit = "Hz", range = 0..=1000)]
     pub lpf_freq: PerAxis<u16>,
-    /// Which filters of each axis are in use.
+    /// Enabled filters of each axis.
     pub filters_en: PerAxis<FiltersEnabled>,
-    /// What the encoder reads in the motor's neutral position.
+    /// Encoder reading in the motor's neutral position.
     pub encoder_offset: PerAxis<Angle>,
     /// Angle between the encoder's zero and the motor's magnetic field.
     pub encoder_fld_offset: PerAxis<Angle>,
-    /// How long the motor is held when the field's offset is set by hand.
+    /// Holding time of the motor when the field offset is set by hand.
     pub encoder_manual_set_time: PerAxis<ShortTime>,
-    /// How fast the motor heats up, in the model of its temperature.
+    /// Heating factor of the motor temperature model.
     pub motor_heating_factor: PerAxis<u8>,
-    /// How fast the motor cools down, in the model of its temperature.
+    /// Cooling factor of the motor temperature model.
     pub motor_cooling_factor: PerAxis<u8>,
     pub reserved: Reserved<2>,
     /// Inner dead band of follow mode.
@@ -63,12 +63,12 @@ pub struct ParamsExt {
     pub motor_gearing: PerAxis<Gearing>,
     /// Lower limit of the motor's angle.
     ///
-    /// Deprecated: from firmware 2.61 on `FRAME_CAM_ANGLE_MIN` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    /// Deprecated: with firmware 2.61+ `FRAME_CAM_ANGLE_MIN` in [`ParamsExt2`](super::ParamsExt2) replaces it.
     #[wire(range = -127..=127)]
     pub encoder_limit_min: PerAxis<CoarseAngle>,
     /// Upper limit of the motor's angle.
     ///
-    /// Deprecated: from firmware 2.61 on `FRAME_CAM_ANGLE_MAX` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    /// Deprecated: with firmware 2.61+ `FRAME_CAM_ANGLE_MAX` in [`ParamsExt2`](super::ParamsExt2) replaces it.
     #[wire(range = -127..=127)]
     pub encoder_limit_max: PerAxis<CoarseAngle>,
     /// Depth of the first notch filter of each axis. Negative: a peak instead of a notch.
@@ -86,26 +86,26 @@ pub struct ParamsExt {
     pub encoder_gear_ratio: PerAxis<GearRatio>,
     /// Model of the encoder, and how it is treated.
     pub encoder_type: PerAxis<EncoderSelection>,
-    /// How the encoder is read.
+    /// Options for reading the encoder.
     pub encoder_cfg: PerAxis<EncoderConfig>,
     /// Proportional term of the outer loop, which works on the angle.
     pub outer_p: PerAxis<u8>,
     /// Integral term of the outer loop, as the vendor's library has it; newer specifications may have these bytes
     /// reserved.
     pub outer_i: PerAxis<u8>,
-    /// Which axis of the magnetometer points up.
+    /// Axis of the magnetometer that points up.
     pub mag_axis_top: AxisOrientation,
-    /// Which axis of the magnetometer points to the right.
+    /// Axis of the magnetometer that points right.
     pub mag_axis_right: AxisOrientation,
-    /// How much the magnetometer is trusted.
+    /// Trust in the magnetometer.
     pub mag_trust: u8,
     /// Declination of the magnetic field.
     #[wire(unit = "deg", range = -90..=90)]
     pub mag_declination: i8,
-    /// Where the low-pass filter of the accelerometer cuts off.
+    /// Cut-off frequency of the low-pass filter of the accelerometer.
     #[wire(range = 0..=1000)]
     pub acc_lpf_freq: SlowFilterFrequency,
-    /// Where the low-pass filter of the D term cuts off.
+    /// Cut-off frequency of the low-pass filter of the D term.
     #[wire(range = 0..=60)]
     pub d_term_lpf_freq: PerAxis<FastFilterFrequency>,
 }

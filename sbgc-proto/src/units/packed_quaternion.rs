@@ -6,7 +6,7 @@ use crate::wire::Bytes;
 
 /// A quaternion of length 1 in 64 bits: its largest component is left out and follows from the others.
 ///
-/// The three others have 20 bits each from bit 0 on: 19 for the magnitude and one for the sign. Bits 60 and 61 tell
+/// The three others have 20 bits each from bit 0: 19 for the magnitude and one for the sign. Bits 60 and 61 encode
 /// which component is left out, and bit 62 is its sign. Real-time data and control by quaternion use the same packing,
 /// which newer specifications describe in an appendix of their own.
 ///
@@ -15,7 +15,7 @@ use crate::wire::Bytes;
 /// before relying on it.
 ///
 /// ```
-/// use sbgc_proto::commands::PackedQuaternion;
+/// use sbgc_proto::units::PackedQuaternion;
 ///
 /// let [w, x, y, z] = PackedQuaternion::pack([0.8, 0.0, 0.0, -0.6]).unpack();
 /// assert!((w - 0.8).abs() < 1e-5 && x == 0.0 && y == 0.0 && (z + 0.6).abs() < 1e-5);
@@ -27,7 +27,7 @@ use crate::wire::Bytes;
 pub struct PackedQuaternion(pub Bytes<8>);
 
 impl PackedQuaternion {
-    /// Steps of a component: the greatest of those that are kept is the square root of 1/2.
+    /// Steps of a component: the maximum of those that are kept is the square root of 1/2.
     const STEPS: f64 = 741_453.785_975_902_9;
 
     /// The quaternion w, x, y, z.

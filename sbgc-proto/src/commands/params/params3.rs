@@ -4,17 +4,17 @@ use sbgc_proto_macros::{message, record};
 
 use super::{
     AdaptivePidAxes, AxisOrientation, BeeperModes, EulerConvention, FcMix, FollowMode, FrameImuPosition,
-    GeneralFlags1, I2cSpeed, MenuCommand, MotorOutput, OrderOfAxes, PidTerm, ProfileFlags1, PwmFrequency,
-    RcAxisMode, RcVirtMode, SerialSpeed, SkipGyroCalib, SpektrumMode,
+    GeneralFlags1, I2cSpeed, MenuCommand, MotorOutput, OrderOfAxes, ProfileFlags1, PwmFrequency, RcAxisMode,
+    RcVirtMode, SerialSpeed, SkipGyroCalib, SpektrumMode,
 };
 use crate::commands::{Confirm, ImuType, ProfileId, RcSource, Switch};
-use crate::units::{AccelerationLimit, Angle, GyroDeadband, ServoRate, VoltageThreshold};
+use crate::units::{AccelerationLimit, Angle, GyroDeadband, PidTerm, ServoRate, VoltageThreshold};
 use crate::wire::PerAxis;
 
-/// Asks for the first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
+/// Requests the first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
 #[message(CMD_READ_PARAMS_3, outgoing, size = 1, answer = Params3, echo = profile(profile_id))]
 pub struct ReadParams3 {
-    /// Which profile. Any number above 4 is the active one.
+    /// Profile; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
@@ -23,32 +23,32 @@ pub struct ReadParams3 {
 /// Read the block first with [`ReadParams3`], change what is to be changed and send all the rest as it came. Several
 /// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it. Some changes make the board restart
-/// about a second after the last block was written.
+/// The specification does not define an answer; the vendor's library waits for a confirmation. Some changes make the
+/// board restart about a second after the last block was written.
 #[message(CMD_WRITE_PARAMS_3, outgoing, size = 134, answer = Confirm)]
 pub struct WriteParams3(pub Params3);
 
 /// The first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
 #[message(CMD_READ_PARAMS_3, incoming, size = 134)]
 pub struct Params3 {
-    /// Whose parameters these are.
+    /// Profile these parameters belong to.
     pub profile_id: ProfileId,
     /// Motor and controller of each axis.
     #[wire(group)]
     pub motors: PerAxis<MotorTuning>,
     /// Limit of acceleration for all axes, 0 for none.
     ///
-    /// Deprecated: from firmware 2.60 on `ACC_LIMITER` in [`ParamsExt2`](super::ParamsExt2) has one for each axis.
+    /// Deprecated: with firmware 2.60+ `ACC_LIMITER` in [`ParamsExt2`](super::ParamsExt2) has one for each axis.
     pub acc_limiter_all: AccelerationLimit,
     /// Gain of the flight controller's signals in the stabilization, for ROLL and for PITCH.
     ///
     /// There are two bytes, as the size of the whole block proves; software that reads three pairs is wrong.
     #[wire(range = -127..=127)]
     pub ext_fc_gain: [i8; 2],
-    /// How remote control moves each axis.
+    /// Remote control settings of each axis.
     #[wire(group)]
     pub rc: PerAxis<RcAxis>,
-    /// How much the gyroscope is trusted against the accelerometer.
+    /// Trust in the gyroscope relative to the accelerometer.
     pub gyro_trust: u8,
     /// Whether the controller uses a model of the motors.
     pub use_model: Switch,
@@ -64,10 +64,10 @@ pub struct Params3 {
     /// Dead band around the neutral point of remote control; of ROLL alone where the axes are split, see
     /// `RC_EXPO_DEADBAND_SPLIT` in [`ProfileFlags2`](super::ProfileFlags2).
     pub rc_deadband: u8,
-    /// How much the response to remote control bends around the neutral point, in percent.
+    /// Exponential curve of remote control around neutral, in percent.
     #[wire(unit = "%", range = 0..=100)]
     pub rc_expo_rate: u8,
-    /// What the RC_ROLL pin reads.
+    /// Input mode of the RC_ROLL pin.
     pub rc_virt_mode: RcVirtMode,
     /// Source of the control signal of ROLL.
     pub rc_map_roll: RcSource,
@@ -81,31 +81,31 @@ pub struct Params3 {
     pub rc_map_fc_roll: RcSource,
     /// Source of the flight controller's PITCH signal.
     pub rc_map_fc_pitch: RcSource,
-    /// How the flight controller's ROLL signal is mixed into remote control.
+    /// Mixing of the flight controller's ROLL signal into remote control.
     pub rc_mix_fc_roll: FcMix,
-    /// How the flight controller's PITCH signal is mixed into remote control.
+    /// Mixing of the flight controller's PITCH signal into remote control.
     pub rc_mix_fc_pitch: FcMix,
-    /// What ROLL and PITCH follow.
+    /// Follow mode of ROLL and PITCH.
     pub follow_mode: FollowMode,
-    /// How far the frame turns before the camera follows.
+    /// Dead band: rotation of the frame before the camera follows.
     pub follow_deadband: u8,
-    /// How much the response of following bends, in percent.
+    /// Exponential curve of following, in percent.
     #[wire(unit = "%", range = 0..=100)]
     pub follow_expo_rate: u8,
     /// Offset of the neutral point in follow mode.
     ///
-    /// Deprecated: from firmware 2.70 on `FOLLOW_OFFSET_EXT` in [`ParamsExt3`](super::ParamsExt3) replaces it.
+    /// Deprecated: with firmware 2.70+ `FOLLOW_OFFSET_EXT` in [`ParamsExt3`](super::ParamsExt3) replaces it.
     #[wire(range = -127..=127)]
     pub follow_offset: PerAxis<i8>,
-    /// Which axis of the main IMU points up.
+    /// Axis of the main IMU that points up.
     pub axis_top: AxisOrientation,
-    /// Which axis of the main IMU points to the right.
+    /// Axis of the main IMU that points right.
     pub axis_right: AxisOrientation,
-    /// Which axis of the frame IMU points up.
+    /// Axis of the frame IMU that points up.
     pub frame_axis_top: AxisOrientation,
-    /// Which axis of the frame IMU points to the right.
+    /// Axis of the frame IMU that points right.
     pub frame_axis_right: AxisOrientation,
-    /// Where the frame IMU is mounted.
+    /// Mounting position of the frame IMU.
     pub frame_imu_pos: FrameImuPosition,
     /// Dead band of the gyroscope.
     pub gyro_deadband: GyroDeadband,
@@ -115,27 +115,27 @@ pub struct Params3 {
     pub i2c_speed_fast: I2cSpeed,
     /// Whether the gyroscope is calibrated at start.
     pub skip_gyro_calib: SkipGyroCalib,
-    /// What the command channel does when its signal is low.
+    /// Action of the command channel at a low signal.
     pub rc_cmd_low: MenuCommand,
-    /// What the command channel does when its signal is in the middle.
+    /// Action of the command channel at a middle signal.
     pub rc_cmd_mid: MenuCommand,
-    /// What the command channel does when its signal is high.
+    /// Action of the command channel at a high signal.
     pub rc_cmd_high: MenuCommand,
-    /// What one press of the menu button does.
+    /// Action of one press of the menu button.
     pub menu_cmd_1: MenuCommand,
-    /// What two presses of the menu button do.
+    /// Action of two presses of the menu button.
     pub menu_cmd_2: MenuCommand,
-    /// What three presses of the menu button do.
+    /// Action of three presses of the menu button.
     pub menu_cmd_3: MenuCommand,
-    /// What four presses of the menu button do.
+    /// Action of four presses of the menu button.
     pub menu_cmd_4: MenuCommand,
-    /// What five presses of the menu button do.
+    /// Action of five presses of the menu button.
     pub menu_cmd_5: MenuCommand,
-    /// What a long press of the menu button does.
+    /// Action of a long press of the menu button.
     pub menu_cmd_long: MenuCommand,
-    /// Which output drives each axis.
+    /// Motor output of each axis.
     pub motor_output: PerAxis<MotorOutput>,
-    /// Below this battery voltage there is an alarm. Negative: never.
+    /// Battery voltage below which an alarm sounds. Negative: never.
     #[wire(range = -3000..=3000)]
     pub bat_threshold_alarm: VoltageThreshold,
     /// Below this battery voltage the motors stop. Negative: never.
@@ -154,7 +154,7 @@ pub struct Params3 {
     pub follow_roll_mix_range: u8,
     /// Power that is added to each motor to catch up when it loses synchronization.
     pub booster_power: PerAxis<u8>,
-    /// How fast each axis follows.
+    /// Follow speed of each axis.
     pub follow_speed: PerAxis<u8>,
     /// Whether the frame's angles are estimated from the motors.
     pub frame_angle_from_motors: Switch,
@@ -175,20 +175,20 @@ pub struct Params3 {
     /// Virtual channel that is put out on servo output 4, from 1 on; 0 for none.
     #[wire(range = 0..=32)]
     pub servo4_out: u8,
-    /// How often the servo outputs repeat.
+    /// Repetition rate of the servo outputs.
     #[wire(range = 5..=40)]
     pub servo_rate: ServoRate,
     /// On which axes the controller lowers its gains by itself when they vibrate.
     pub adaptive_pid_enabled: AdaptivePidAxes,
-    /// How much vibration starts that.
+    /// Vibration threshold.
     pub adaptive_pid_threshold: u8,
-    /// How fast the gains go down.
+    /// Rate of the gain reduction.
     #[wire(range = 1..=255)]
     pub adaptive_pid_rate: u8,
-    /// How slowly they recover.
+    /// Recovery time.
     #[wire(range = 0..=10)]
     pub adaptive_pid_recovery_factor: u8,
-    /// Low-pass filter of following; 255 is the most where `LPF_EXTENDED_RANGE` of
+    /// Low-pass filter of following; 255 is the maximum where `LPF_EXTENDED_RANGE` of
     /// [`GeneralFlags2`](super::GeneralFlags2) is set.
     #[wire(range = 0..=15)]
     pub follow_lpf: PerAxis<u8>,
@@ -198,7 +198,7 @@ pub struct Params3 {
     pub profile_flags1: ProfileFlags1,
     /// Protocol of a Spektrum receiver.
     pub spektrum_mode: SpektrumMode,
-    /// How the hardware's axes follow each other.
+    /// Order of the hardware axes.
     pub order_of_axes: OrderOfAxes,
     /// In which Euler angles the camera's attitude and its target are expressed.
     pub euler_order: EulerConvention,
@@ -213,13 +213,13 @@ pub struct Params3 {
 #[record(size = 6)]
 #[derive(Copy)]
 pub struct MotorTuning {
-    /// How strongly the controller answers an error.
+    /// Response of the controller to an error.
     pub p: PidTerm,
-    /// How fast the controller works off what error remains. Shown divided by 100 before firmware 2.73.1.
+    /// Integral term of the controller. Displayed divided by 100 before firmware 2.73.1.
     pub i: PidTerm,
-    /// How strongly the controller damps.
+    /// Damping of the controller.
     pub d: PidTerm,
-    /// Power of the motor; 255 is the most.
+    /// Power of the motor; 255 is the maximum.
     pub power: u8,
     /// Whether the motor turns the other way. [`CalibPoles`](crate::commands::CalibPoles) finds it.
     pub invert: Switch,
@@ -227,28 +227,28 @@ pub struct MotorTuning {
     pub poles: u8,
 }
 
-/// How remote control moves one axis.
+/// Remote control settings of one axis.
 #[record(size = 8)]
 #[derive(Copy)]
 pub struct RcAxis {
-    /// The least angle that remote control can ask for.
+    /// Minimum angle of remote control.
     #[wire(unit = "deg", range = -720..=720)]
     pub rc_min_angle: i16,
-    /// The greatest angle that remote control can ask for.
+    /// Maximum angle of remote control.
     #[wire(unit = "deg", range = -720..=720)]
     pub rc_max_angle: i16,
-    /// What the signal means, and whether it is inverted.
+    /// Meaning of the signal, and whether it is inverted.
     pub rc_mode: RcAxisMode,
-    /// Low-pass filter of the signal; 255 is the most where `LPF_EXTENDED_RANGE` of
+    /// Low-pass filter of the signal; 255 is the maximum where `LPF_EXTENDED_RANGE` of
     /// [`GeneralFlags2`](super::GeneralFlags2) is set.
     #[wire(range = 0..=15)]
     pub rc_lpf: u8,
-    /// How fast the axis moves.
+    /// Speed of the axis.
     pub rc_speed: u8,
     /// For ROLL and PITCH the rate at which they follow the flight controller; for YAW, all but zero follows the
     /// motor.
     ///
-    /// Signed, though the specification's type column says otherwise.
+    /// Signed, although the specification's type column differs.
     #[wire(range = -127..=127)]
     pub rc_follow: i8,
 }

@@ -4,19 +4,19 @@ use sbgc_proto_macros::{message, record};
 
 use super::{
     AutoPidFlags, DevicePort, ForcePosition, GeneralFlags2, InterruptConfig, MavConfig, MavControlMode,
-    ParkingPosition, PidGain, SerialSpeed, StabilizedAxis, StartupAction, StepSignalConfig,
+    ParkingPosition, SerialSpeed, StabilizedAxis, StartupAction, StepSignalConfig,
 };
 use crate::commands::{Confirm, ProfileId, RcSource, TriggerPinId};
 use crate::units::{
     AccelerationLimit, CorrectionAngle, CurrentLimit, Delay, Ellipticity, MagneticLink, PhaseResistance,
-    SignalThreshold, TimeShare,
+    PidGain, SignalThreshold, TimeShare,
 };
 use crate::wire::{PerAxis, PerXyz, Reserved};
 
-/// Asks for the third block of a profile's parameters: MavLink, limits, automated motion, signals.
+/// Requests the third block of a profile's parameters: MavLink, limits, automated motion, signals.
 #[message(CMD_READ_PARAMS_EXT2, outgoing, size = 1, answer = ParamsExt2, echo = profile(profile_id))]
 pub struct ReadParamsExt2 {
-    /// Which profile. Any number above 4 is the active one.
+    /// Profile; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
@@ -25,7 +25,7 @@ pub struct ReadParamsExt2 {
 /// Read the block first with [`ReadParamsExt2`], change what is to be changed and send all the rest as it came. Several
 /// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
 ///
-/// The specification is silent on the answer; the vendor's library waits for it.
+/// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(CMD_WRITE_PARAMS_EXT2, outgoing, size = 151, answer = Confirm)]
 pub struct WriteParamsExt2(pub ParamsExt2);
 
@@ -35,7 +35,7 @@ pub struct WriteParamsExt2(pub ParamsExt2);
 /// [`outer_mot_tilt_angle`](Self::outer_mot_tilt_angle) on.
 #[message(CMD_READ_PARAMS_EXT2, incoming, size = 151)]
 pub struct ParamsExt2 {
-    /// Whose parameters these are.
+    /// Profile these parameters belong to.
     pub profile_id: ProfileId,
     /// The two channels that speak MavLink.
     #[wire(group)]
@@ -48,12 +48,12 @@ pub struct ParamsExt2 {
     pub acc_limiter: PerAxis<AccelerationLimit>,
     /// Gain that multiplies all terms of the controller.
     pub pid_gain: PerAxis<PidGain>,
-    /// Where the low-pass filter of the frame IMU cuts off.
+    /// Cut-off frequency of the low-pass filter of the frame IMU.
     #[wire(unit = "Hz", range = 0..=200)]
     pub frame_imu_lpf_freq: u8,
-    /// What automatic tuning of the controllers does: the flags of `CMD_AUTO_PID`.
+    /// Options of automatic PID tuning: the flags of `CMD_AUTO_PID`.
     pub auto_pid_cfg: AutoPidFlags,
-    /// What automatic tuning aims at, from stability, 0, to precision, 255: `GAIN_VS_STABILITY` of `CMD_AUTO_PID`.
+    /// Goal of automatic tuning, from stability (0) to precision (255): `GAIN_VS_STABILITY` of `CMD_AUTO_PID`.
     pub auto_pid_gain: u8,
     /// Lower soft limit of each motor's angle.
     #[wire(unit = "deg", since = "2.61")]
@@ -73,10 +73,10 @@ pub struct ParamsExt2 {
     /// Correction of how the main IMU is mounted, about its own axes.
     #[wire(since = "2.61")]
     pub imu_orientation_corr: PerXyz<CorrectionAngle>,
-    /// How long the motion of a time lapse takes.
+    /// Duration of a time-lapse motion.
     #[wire(unit = "s", since = "2.60")]
     pub timelapse_time: u16,
-    /// How long after an emergency stop the motors start again.
+    /// Delay before the motors restart after an emergency stop.
     #[wire(unit = "ms")]
     pub emergency_stop_restart_delay: u16,
     /// The part of a time lapse in which it speeds up and slows down.
@@ -85,16 +85,16 @@ pub struct ParamsExt2 {
     /// Moment of inertia of each axis.
     #[wire(since = "2.62b7")]
     pub momentum: PerAxis<u16>,
-    /// How strongly each axis is moved to calibrate it.
+    /// Motor power of the calibration of each axis.
     #[wire(range = 1..=255, since = "2.62b7")]
     pub momentum_calib_stimulus: PerAxis<u8>,
-    /// How much it depends on the angles of the other axes. The specification spells it `MOMENTUM_ELITPICITY`.
+    /// Dependence on the angles of the other axes. The specification spells it `MOMENTUM_ELITPICITY`.
     #[wire(range = 1..=255, since = "2.62b7")]
     pub momentum_ellipticity: PerAxis<Ellipticity>,
     /// Over which range of angles follow mode grows to its full speed.
     #[wire(unit = "deg", range = 1..=180, since = "2.62b7")]
     pub follow_range: PerAxis<u8>,
-    /// Which Euler axis each motor stabilizes.
+    /// Euler axis stabilized by each motor.
     #[wire(since = "2.62b7")]
     pub stab_axis: PerAxis<StabilizedAxis>,
     /// Tilt of the outer motor's axis.
@@ -105,13 +105,13 @@ pub struct ParamsExt2 {
     pub startup_action: [StartupAction; 4],
     /// The signals that start them: two sources for each action, first the first source of all four.
     ///
-    /// The specification does not say which index is the action; only this reading fits four actions.
+    /// The specification does not define which index is the action; only this reading fits four actions.
     #[wire(since = "2.66")]
     pub startup_action_src: [[RcSource; 4]; 2],
     /// The levels that those signals must reach, in the same order.
     #[wire(since = "2.66")]
     pub startup_action_threshold: [[SignalThreshold; 4]; 2],
-    /// How each axis snaps to fixed positions.
+    /// Fixed positions of each axis.
     #[wire(since = "2.66")]
     pub force_position_cfg: PerAxis<ForcePosition>,
     /// The six step signals.
@@ -120,7 +120,7 @@ pub struct ParamsExt2 {
     /// Calibrations of five signals.
     #[wire(group)]
     pub rc_calibs: [RcCalibration; 5],
-    /// Where the gimbal parks.
+    /// Parking position.
     #[wire(since = "2.66")]
     pub parking_pos_cfg: ParkingPosition,
     /// The pin that shows what the LED on the board does; 0 for none.
@@ -129,7 +129,7 @@ pub struct ParamsExt2 {
     /// The pin that signals interrupts, and when.
     #[wire(since = "2.66")]
     pub interrupt_cfg: InterruptConfig,
-    /// How long the motors may be overloaded.
+    /// Maximum time of motor overload.
     #[wire(since = "2.66")]
     pub overload_time: Delay,
     /// Weight of the camera for automatic tuning: `MOMENTUM` of `CMD_AUTO_PID`.
@@ -138,7 +138,7 @@ pub struct ParamsExt2 {
     /// The time in which acceleration builds up.
     #[wire(unit = "ms", since = "2.66")]
     pub jerk_slope: PerAxis<u8>,
-    /// Which axes a MavLink device controls.
+    /// Axes controlled by a MavLink device.
     #[wire(range = 0..=2, since = "2.66")]
     pub mav_ctrl_mode: MavControlMode,
     /// Speed of the port of the serial receiver.
@@ -168,7 +168,7 @@ pub struct MavChannel {
     pub mav_sys_id: u8,
     /// The number of the component.
     pub mav_comp_id: u8,
-    /// How the port and the channel work.
+    /// Options of the port and channel.
     pub mav_cfg_flags: MavConfig,
     pub mav_reserved: Reserved<4>,
 }
@@ -180,7 +180,7 @@ pub struct StepSignal {
     /// The button.
     #[wire(since = "2.66")]
     pub step_signal_src: RcSource,
-    /// How its presses become steps.
+    /// Conversion of button presses to steps.
     #[wire(since = "2.66")]
     pub step_signal_cfg: StepSignalConfig,
 }
@@ -189,12 +189,12 @@ pub struct StepSignal {
 #[record(size = 4)]
 #[derive(Copy)]
 pub struct RcCalibration {
-    /// The signal.
+    /// Signal source.
     #[wire(since = "2.66")]
     pub rc_calib_src: RcSource,
-    /// What is added, in 1/128 of half the signal's range.
+    /// Offset in 1/128 of half the signal's range.
     ///
-    /// Signed, though the specification's type column says otherwise.
+    /// Signed, although the specification's type column differs.
     #[wire(since = "2.66")]
     pub rc_calib_offset: i8,
     /// Scale of negative signals: they are multiplied by (80 + this) / 100.

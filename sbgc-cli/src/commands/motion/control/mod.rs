@@ -1,9 +1,10 @@
 //! `sbgc control`: moving the gimbal.
 //!
 //! Moves that are handed over are in [`turn`], together with the same moves when they are waited for; motion that is
-//! kept up is in [`drive`]. What both share, owning the motion until something ends it, is in [`own`].
+//! kept up is in [`drive`], and by keys in [`jog`]. What both share, owning the motion until something ends it, is in [`own`].
 
 mod drive;
+mod jog;
 mod own;
 mod stop;
 mod turn;
@@ -42,6 +43,7 @@ enum What {
     Rc(drive::Rc),
     Home(turn::Home),
     Stop(stop::Stop),
+    Jog(jog::Jog),
 }
 
 impl Control {
@@ -53,6 +55,7 @@ impl Control {
             What::Rc(command) => command.run(global, output).await,
             What::Home(command) => command.run(global, output).await,
             What::Stop(command) => command.run(global, output).await,
+            What::Jog(command) => command.run(global, output).await,
         }
     }
 }

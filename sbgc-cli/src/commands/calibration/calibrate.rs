@@ -124,7 +124,7 @@ impl Calibrate {
             Imu::Frame => CalibImu::Frame,
         };
         let action = if self.temperature { CalibAction::Temperature } else { CalibAction::Regular };
-        let (axis, axes) = match self.axis {
+        let (axis, cogging) = match self.axis {
             Axis::Roll => (GimbalAxis::Roll, CoggingAxes::ROLL),
             Axis::Pitch => (GimbalAxis::Pitch, CoggingAxes::PITCH),
             Axis::Yaw => (GimbalAxis::Yaw, CoggingAxes::YAW),
@@ -143,7 +143,7 @@ impl Calibrate {
                 ("calibrate external-reference", Calibration::ExternalReference(self.reference))
             }
             Kind::MotorMagLink => ("calibrate motor-mag-link", Calibration::MotorMagneticLink),
-            Kind::Cogging => ("calibrate cogging", Calibration::Cogging(axes)),
+            Kind::Cogging => ("calibrate cogging", Calibration::Cogging(cogging)),
             Kind::FollowOffset => ("calibrate follow-offset", Calibration::FollowOffset),
             Kind::ExtGain => ("calibrate ext-gain", Calibration::ExternalGain),
             Kind::Bode => ("calibrate bode", Calibration::Bode(bode)),

@@ -29,6 +29,8 @@ pub(crate) async fn ask(global: &Global, question: &str) -> Result<(), Failure> 
     if !io::stdin().is_terminal() {
         return Err(not_done("it needs confirmation, and there is no terminal to ask on; --yes confirms"));
     }
+    // From here on, before anybody can know of the question.
+    let interrupted = signals::interrupted();
     talk::print(format_args!("{question} [y/N] "));
     let (sender, answer) = oneshot::channel();
     // Reading a terminal cannot be given up, so it has a thread of its own, which may outlive the question.
@@ -42,7 +44,7 @@ pub(crate) async fn ask(global: &Global, question: &str) -> Result<(), Failure> 
             "y" | "yes" => Ok(()),
             _ => Err(not_done("not confirmed")),
         },
-        () = signals::interrupted() => {
+        () = interrupted => {
             talk::say("");
             Err(not_done("interrupted"))
         }

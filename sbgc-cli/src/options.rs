@@ -16,11 +16,11 @@ use crate::{text, values};
 /// The shared options as they are typed. `sbgc --help` explains them; other help names them in one line.
 #[derive(Args, Debug)]
 pub(crate) struct Common {
-    /// Serial device, tcp:// or udp://HOST:PORT, sim, or sim:FILE
+    /// Serial device, tcp:// or udp://HOST:PORT, sim[:FILE]
     #[arg(long, short, global = true, hide = true, value_name = "PORT", add = ArgValueCandidates::new(port_candidates))]
     port: Option<String>,
 
-    /// Bits per second of a serial port, or auto [default: 115200]
+    /// Baud rate, or auto [default: 115200]
     #[arg(long, global = true, hide = true, value_name = "N", value_parser = baud)]
     baud: Option<Baud>,
 
@@ -44,11 +44,11 @@ pub(crate) struct Common {
     #[arg(long, short, global = true, hide = true)]
     yes: bool,
 
-    /// Print frames that would change something, do not send
+    /// Print the frames of changes, send nothing
     #[arg(long, global = true, hide = true)]
     dry_run: bool,
 
-    /// Log link statistics to standard error; -vv logs frames
+    /// Log the link to standard error; -vv: every frame
     #[arg(long, short, global = true, hide = true, action = clap::ArgAction::Count)]
     verbose: u8,
 

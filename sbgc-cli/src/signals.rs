@@ -106,12 +106,14 @@ mod system {
         }
     }
 
-    /// Resolves when the user interrupts a question. Other signals stop the program as ever.
-    pub(crate) async fn interrupted() {
+    /// Resolves when the user interrupts a question that is asked from now on. Other signals stop the program as ever.
+    pub(crate) fn interrupted() -> impl Future<Output = ()> {
         let (sender, receiver) = oneshot::channel();
         *ASKING.lock().unwrap_or_else(PoisonError::into_inner) = Some(sender);
-        if receiver.await.is_err() {
-            std::future::pending::<()>().await;
+        async move {
+            if receiver.await.is_err() {
+                std::future::pending::<()>().await;
+            }
         }
     }
 

@@ -102,6 +102,12 @@ impl Board {
         assert!(sent.success());
     }
 
+    /// Waits until it has ended; its exit code, and where its link was.
+    pub(crate) fn wait(mut self) -> (i32, tempfile::TempDir) {
+        let code = self.child.wait().expect("it ends").code().expect("it exits");
+        (code, self.directory.take().expect("it is there until now"))
+    }
+
     /// Asks it to end, and waits for that.
     pub(crate) fn stop(mut self) {
         self.signal("TERM");
@@ -123,4 +129,58 @@ impl Drop for Board {
         let _ = self.child.kill();
         let _ = self.child.wait();
     }
+}
+
+/// Sends a signal to a process.
+pub(crate) fn signal(process: u32, signal: &str) {
+    let sent =
+        Command::new("kill").args(["-s", signal, &process.to_string()]).status().expect("kill is there");
+    assert!(sent.success());
+}
+
+/// A pseudo-terminal: its master, and the name of the other side.
+#[cfg(unix)]
+pub(crate) fn terminal() -> (serialport::TTYPort, String) {
+    use serialport::SerialPort as _;
+
+    let (mut master, slave) = serialport::TTYPort::pair().expect("a pseudo-terminal");
+    master.set_timeout(std::time::Duration::from_millis(100)).expect("a time-out");
+    let name = slave.name().expect("it has one");
+    // Like a terminal at which a person sits: lines, with their ends.
+    let cooked = Command::new("stty").args(["-F", &name, "sane", "rows", "24", "cols", "80"]).status();
+    assert!(cooked.expect("stty is there").success());
+    // The name stays good as long as the master lives; the other side is the program's.
+    std::mem::forget(slave);
+    (master, name)
+}
+
+/// Every command and every command of a command, as words.
+pub(crate) fn all_commands() -> Vec<Vec<String>> {
+    let top =
+        stdout(&sbgc().arg("--help").env("COLUMNS", "120").output().expect("the program can be started"));
+    let list = top.split("\n\n").nth(2).expect("the commands come after about and usage");
+    // A group begins with a capital letter.
+    let names = list.lines().filter_map(|line| {
+        let mut words = line.split_whitespace();
+        let first = words.next()?;
+        if first.starts_with(char::is_uppercase) { words.next() } else { Some(first) }
+    });
+    let mut all = Vec::new();
+    let mut open: Vec<Vec<String>> = names.map(|name| vec![name.to_owned()]).collect();
+    while let Some(path) = open.pop() {
+        let help = stdout(&sbgc().args(&path).arg("--help").output().expect("the program can be started"));
+        if let Some((_, list)) = help.split_once("\nCommands:\n") {
+            for line in list.lines().take_while(|line| !line.is_empty()) {
+                let name = line.split_whitespace().next().expect("a name");
+                let continued = line.starts_with("      ");
+                if !continued {
+                    open.push(path.iter().cloned().chain([name.to_owned()]).collect());
+                }
+            }
+        }
+        all.push(path);
+    }
+    all.sort();
+    assert!(all.len() > 20, "{all:?}");
+    all
 }

@@ -27,18 +27,27 @@ pub(crate) struct Imu {
 #[derive(Debug, Subcommand)]
 enum What {
     /// Show readings, temperature and calibrations of a sensor
+    #[command(after_help = "Examples:
+  sbgc imu info
+  sbgc imu info frame --json")]
     Info {
         /// Sensor
         #[arg(value_enum, default_value_t = Sensor::Main)]
         sensor: Sensor,
     },
     /// Choose the sensor that calibrations and real-time data work on
+    #[command(after_help = "Examples:
+  sbgc imu select main
+  sbgc imu select frame --json")]
     Select {
         /// Sensor
         #[arg(value_enum)]
         sensor: Sensor,
     },
     /// Show what the external sensor reports
+    #[command(after_help = "Examples:
+  sbgc imu external
+  sbgc imu external --json")]
     External,
 }
 

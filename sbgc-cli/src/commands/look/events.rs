@@ -21,9 +21,9 @@ const EXAMPLES: &str = "Examples:
   sbgc events --for 1s
   sbgc events motor-state script --for 500ms --json";
 
-/// Show events: menu button, motors, emergency stop, camera, scripts
+/// Show events as they happen
 ///
-/// Runs until interrupted, the output is closed, or --count or --for is reached. timestamp_ms is the time since the
+/// Events are those of the menu button, motors, emergency stop, camera and scripts. Runs until interrupted, the output is closed, or --count or --for is reached. timestamp_ms is the time since the
 /// start. Firmware 2.65+.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]

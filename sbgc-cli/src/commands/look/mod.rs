@@ -4,6 +4,8 @@ mod angles;
 mod debug_vars;
 mod events;
 mod info;
+mod monitor;
+mod plot;
 mod stream;
 
 use clap::Subcommand;
@@ -19,6 +21,8 @@ pub(crate) enum Command {
     Stream(stream::Stream),
     Events(events::Events),
     DebugVars(debug_vars::DebugVars),
+    Monitor(monitor::Monitor),
+    Plot(plot::Plot),
 }
 
 impl Command {
@@ -29,6 +33,8 @@ impl Command {
             Command::Stream(command) => command.run(global, output).await,
             Command::Events(command) => command.run(global, output).await,
             Command::DebugVars(command) => command.run(global, output).await,
+            Command::Monitor(command) => command.run(global).await,
+            Command::Plot(command) => command.run(),
         }
     }
 }

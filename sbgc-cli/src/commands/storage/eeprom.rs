@@ -34,6 +34,9 @@ pub(crate) struct Eeprom {
 #[derive(Debug, Subcommand)]
 enum What {
     /// Print bytes
+    #[command(after_help = "Examples:
+  sbgc eeprom read 0x40 64
+  sbgc eeprom read 256 16 --json")]
     Read {
         /// First address, decimal or 0x hex
         #[arg(value_parser = values::number)]
@@ -43,6 +46,9 @@ enum What {
         length: u32,
     },
     /// Write blocks of 64 bytes, and read them back; asks first
+    #[command(after_help = "Examples:
+  sbgc eeprom backup all.bin && sbgc eeprom write 0 all.bin --yes
+  sbgc eeprom backup all.bin && sbgc eeprom write 0 all.bin --dry-run")]
     Write {
         /// First address, a multiple of 64
         #[arg(value_parser = values::number)]
@@ -52,11 +58,17 @@ enum What {
         data: String,
     },
     /// Write the whole EEPROM to a file
+    #[command(after_help = "Examples:
+  sbgc eeprom backup board.eeprom
+  sbgc eeprom backup board.eeprom --json")]
     Backup {
         /// File to write
         file: PathBuf,
     },
     /// Write a backup to the EEPROM: only blocks that differ; asks first
+    #[command(after_help = "Examples:
+  sbgc eeprom backup board.eeprom && sbgc eeprom restore board.eeprom --yes
+  sbgc eeprom backup board.eeprom && sbgc eeprom restore board.eeprom --dry-run")]
     Restore {
         /// File to read
         file: PathBuf,

@@ -35,6 +35,10 @@ pub(crate) struct File {
 #[derive(Debug, Subcommand)]
 enum What {
     /// Read a file to another, or to standard output
+    #[command(after_help = "Examples:
+  sbgc encode RESET | sbgc --port sim:board file write script:3 - --yes
+  sbgc --port sim:board file read script:3
+  sbgc --port sim:board file read 0x0301 copy.bin")]
     Read {
         /// File of the board
         #[arg(value_parser = id)]
@@ -43,6 +47,9 @@ enum What {
         file: Option<PathBuf>,
     },
     /// Write a file, and read it back; asks first
+    #[command(after_help = "Examples:
+  sbgc encode RESET | sbgc file write script:3 - --yes
+  sbgc encode RESET | sbgc file write 0x0301 - --dry-run")]
     Write {
         /// File of the board
         #[arg(value_parser = id)]
@@ -51,6 +58,9 @@ enum What {
         file: PathBuf,
     },
     /// Delete a file; asks first
+    #[command(after_help = "Examples:
+  sbgc file delete script:0 --dry-run
+  sbgc --dry-run --json file delete 0x0301")]
     Delete {
         /// File of the board
         #[arg(value_parser = id)]

@@ -28,6 +28,9 @@ pub(crate) struct I2c {
 #[derive(Debug, Subcommand)]
 enum What {
     /// Print bytes of a register
+    #[command(after_help = "Examples:
+  sbgc i2c read 0x50 0 16 --bus internal
+  sbgc i2c read 0x50 0x10 4 --bus internal --json")]
     Read {
         #[command(flatten)]
         place: Place,
@@ -36,6 +39,9 @@ enum What {
         length: u8,
     },
     /// Write bytes to a register; asks first
+    #[command(after_help = "Examples:
+  sbgc i2c write 0x68 0x6b 00 --dry-run
+  sbgc --json --dry-run i2c write 0x68 0x6b 80")]
     Write {
         #[command(flatten)]
         place: Place,

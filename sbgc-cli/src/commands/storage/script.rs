@@ -34,6 +34,9 @@ pub(crate) struct Script {
 #[derive(Debug, Subcommand)]
 enum What {
     /// Store a compiled script in a slot; asks first
+    #[command(after_help = "Examples:
+  sbgc encode RESET > program.bin && sbgc script upload 3 program.bin --yes
+  sbgc encode RESET | sbgc script upload 3 - --dry-run")]
     Upload {
         #[command(flatten)]
         slot: Slot,
@@ -41,21 +44,33 @@ enum What {
         file: PathBuf,
     },
     /// Start the script in a slot
+    #[command(after_help = "Examples:
+  sbgc encode RESET | sbgc --port sim:board script upload 1 - --yes
+  sbgc --port sim:board script run 1 --dry-run")]
     Run {
         #[command(flatten)]
         slot: Slot,
     },
     /// Stop the script in a slot
+    #[command(after_help = "Examples:
+  sbgc script stop 1
+  sbgc script stop 2 --json")]
     Stop {
         #[command(flatten)]
         slot: Slot,
     },
     /// Delete the script in a slot; asks first
+    #[command(after_help = "Examples:
+  sbgc script delete 2 --dry-run
+  sbgc --json --dry-run script delete 2")]
     Delete {
         #[command(flatten)]
         slot: Slot,
     },
     /// Show the steps of a running script until interrupted
+    #[command(after_help = "Examples:
+  sbgc script trace
+  sbgc script trace --json")]
     Trace {
         /// Slot whose script is started for it [default: whichever runs with a trace]
         #[arg(value_parser = clap::value_parser!(u8).range(1..=10))]

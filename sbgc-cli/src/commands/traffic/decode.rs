@@ -17,7 +17,7 @@ use crate::{signals, values};
 const EXAMPLES: &str = "Examples:
   sbgc encode BOARD_INFO | sbgc decode
   sbgc encode CONFIRM cmd_id=1 --direction incoming | sbgc decode --json
-  sbgc decode capture.bin";
+  sbgc record capture.log --count 5 && sbgc decode capture.log --summary";
 
 /// Explain captured traffic
 ///

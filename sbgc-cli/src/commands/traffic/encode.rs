@@ -52,7 +52,7 @@ enum Way {
     Incoming,
 }
 
-fn assignment(text: &str) -> Result<(String, String), String> {
+pub(super) fn assignment(text: &str) -> Result<(String, String), String> {
     match text.split_once('=') {
         Some((path, value)) => Ok((path.trim().to_owned(), value.to_owned())),
         None => Err(format!("expected FIELD=VALUE, got {text:?}")),
@@ -146,6 +146,21 @@ impl Encode {
         let what = format!("{direction} command");
         Failure::Usage(text::unknown(&what, name.trim_start_matches("CMD_"), names))
     }
+}
+
+/// The frame of a message to the board, for whoever sends it. Warnings are printed.
+pub(super) fn outgoing(
+    name: String,
+    fields: Vec<(String, String)>,
+    form: Option<String>,
+    version: Version,
+) -> Result<Vec<u8>, Failure> {
+    let Encoded { frame, warnings, .. } =
+        Encode { name, fields, direction: Way::Outgoing, form }.encode(version)?;
+    for warning in warnings {
+        talk::say(format_args!("warning: {warning}"));
+    }
+    Ok(frame)
 }
 
 impl Way {

@@ -8,6 +8,7 @@ mod pieces;
 mod proxy;
 mod record;
 mod replay;
+mod send;
 mod sim;
 mod summary;
 
@@ -24,6 +25,7 @@ pub(crate) enum Command {
     Replay(replay::Replay),
     Decode(decode::Decode),
     Encode(encode::Encode),
+    Send(send::Send),
     Proxy(proxy::Proxy),
     Sim(sim::Sim),
 }
@@ -35,6 +37,7 @@ impl Command {
             Command::Replay(command) => command.run(global, output).await,
             Command::Decode(command) => signals::blocking(|| command.run(output)),
             Command::Encode(command) => command.run(global, output),
+            Command::Send(command) => command.run(global, output).await,
             Command::Proxy(command) => command.run(global, output).await,
             Command::Sim(command) => command.run(output).await,
         }

@@ -20,7 +20,7 @@ const ANGLE_EXAMPLES: &str = "Examples:
 
 const SPEED_ANGLE_EXAMPLES: &str = "Examples:
   sbgc control speed-angle --yaw 20 --speed 10
-  sbgc control speed-angle --pitch -15 --yaw 5 --speed 30 --wait";
+  sbgc control speed-angle --pitch -15 --yaw 5 --speed 30";
 
 const HOME_EXAMPLES: &str = "Examples:
   sbgc control home

@@ -208,7 +208,7 @@ fn what_cannot_be_is_refused_before_anything_is_sent() {
         (&["control", "angle", "--yaw", "721"][..], "-720 to 719.97"),
         (&["control", "angle", "--yaw", "nan"], "expected an angle"),
         (&["control", "angle"], "required"),
-        (&["control", "angle", "--yaw", "1", "--speed", "0"], "0.13 to 4000"),
+        (&["control", "angle", "--yaw", "1", "--speed", "0"], "to 4000 deg/s"),
         (&["control", "angle", "--yaw", "1", "--patience", "3s"], "--wait"),
         (&["control", "speed", "--yaw", "inf"], "expected a speed"),
         (&["control", "speed", "--yaw", "5000"], "-4000 to 4000"),

@@ -573,3 +573,49 @@ fn an_interrupted_restore_is_completed_by_the_next() {
     assert_eq!(paths, ["auto_speed", "motor_startup_delay"]);
     assert!(bench.objects(&["params", "diff", file]).is_empty());
 }
+
+#[test]
+fn examples_work_as_printed() {
+    let place = tempfile::tempdir().unwrap();
+    let mut count = 0;
+    // Dumping comes first: the file that it writes is that of the others.
+    for command in [
+        "params",
+        "params list",
+        "params get",
+        "params describe",
+        "params set",
+        "params dump",
+        "params diff",
+        "params restore",
+        "profile",
+        "profile list",
+        "profile use",
+        "profile name",
+        "profile copy",
+        "profile reset",
+        "profile set",
+        "adj",
+        "adj list",
+        "adj get",
+        "adj set",
+        "adj save",
+        "adj config",
+    ] {
+        let words: Vec<_> = command.split(' ').chain(["--help"]).collect();
+        let help = stdout(&common::run(&words));
+        assert!(help.lines().count() <= 60, "{command}");
+        let examples: Vec<_> = help.lines().filter(|line| line.starts_with("  sbgc ")).collect();
+        assert!((2..=3).contains(&examples.len()), "{command}: {examples:?}");
+        for example in examples {
+            let program = example.trim().replacen("sbgc", env!("CARGO_BIN_EXE_sbgc"), 1);
+            let mut shell = Command::new("sh");
+            shell.args(["-c", &program]).current_dir(&place).env("SBGC_PORT", "sim");
+            shell.env("XDG_STATE_HOME", place.path()).env("XDG_CONFIG_HOME", place.path());
+            let output = shell.stdin(std::process::Stdio::null()).output().unwrap();
+            assert!(output.status.success(), "{example}: {}", stderr(&output));
+            count += 1;
+        }
+    }
+    assert!(count > 45, "{count}");
+}

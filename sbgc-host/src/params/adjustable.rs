@@ -169,7 +169,7 @@ impl Parameters {
             match self.variable_values(ids).await {
                 // Not of all variables it is published since when they are: one that is missing refuses all.
                 Err(ParamsError::Host(Error::Refused { .. })) => {
-                    variables.extend(self.those_there(ids).await?)
+                    variables.extend(self.those_there(ids).await?);
                 }
                 values => variables.extend(values?),
             }
@@ -261,8 +261,8 @@ impl Parameters {
         has(self.info().firmware_ver, GetAdjVarsValF::SINCE)
     }
 
-    /// Sets variables at once, without saving them. Values go out as integers where that says them in full or the
-    /// firmware has no other form.
+    /// Sets variables at once, without saving them. Values are sent as integers unless one has a fraction and
+    /// the firmware accepts floats.
     ///
     /// # Errors
     /// If the board does not answer, or refuses.

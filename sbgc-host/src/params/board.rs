@@ -35,12 +35,12 @@ pub struct Parameters {
 }
 
 impl Parameters {
-    /// The parameters of the board that said `info` of itself.
+    /// Parameters of the board identified by `info`.
     pub const fn new(gimbal: Gimbal, info: BoardInfo) -> Self {
         Self { gimbal, info }
     }
 
-    /// What the board is.
+    /// Identification of the board.
     pub const fn info(&self) -> &BoardInfo {
         &self.info
     }
@@ -50,22 +50,22 @@ impl Parameters {
         &self.gimbal
     }
 
-    /// The parameters that a profile has in its firmware.
+    /// Catalog of the parameters of a profile in this firmware.
     pub fn catalog(&self) -> Catalog {
         Catalog::of_profile(self.info.firmware_ver)
     }
 
-    /// What belongs to no profile in its firmware.
+    /// Catalog of the settings that belong to no profile.
     pub fn shared_catalog(&self) -> Catalog {
         Catalog::of_board(self.info.firmware_ver)
     }
 
-    /// A plan that changes nothing yet.
+    /// An empty plan for this firmware.
     pub const fn plan(&self) -> Plan {
         Plan::new(self.info.firmware_ver)
     }
 
-    /// The active profile.
+    /// Reads the number of the active profile.
     ///
     /// # Errors
     /// If the board does not answer, or answers with a number that is not that of a profile.
@@ -75,7 +75,7 @@ impl Parameters {
             .ok_or(ParamsError::NoActiveProfile(params.cur_profile_id.raw()))
     }
 
-    /// The blocks of a profile that the firmware has.
+    /// Reads all blocks of a profile.
     ///
     /// # Errors
     /// If the board does not answer, or refuses the first block.
@@ -87,7 +87,7 @@ impl Parameters {
         Ok(blocks)
     }
 
-    /// What belongs to no profile.
+    /// Reads the settings that belong to no profile.
     ///
     /// # Errors
     /// If the board does not answer.
@@ -99,7 +99,7 @@ impl Parameters {
         Ok(blocks)
     }
 
-    /// These profiles, and what belongs to none.
+    /// Reads some profiles and the settings that belong to none.
     ///
     /// # Errors
     /// If the board does not answer.
@@ -140,10 +140,10 @@ impl Parameters {
     }
 
     /// Carries out a plan: writes its blocks, between `CMD_WRITE_PARAMS_SET` where the firmware has it, and reads
-    /// them back. `written` is told of each block that was written.
+    /// them back. `written` is called for each block written.
     ///
-    /// When the board then holds something else, everything is put back as it was. When this is dropped on the way, the
-    /// bracket is closed so that the board does not wait for more.
+    /// If the board then holds other values, the previous ones are restored. If this future is dropped midway, the
+    /// bracket is still closed, so that the board does not wait for more.
     ///
     /// # Errors
     /// If writing ends on the way, if the blocks cannot be read back, or if the board holds something else.
@@ -226,7 +226,7 @@ impl Parameters {
         Ok(wrong)
     }
 
-    /// The names of the profiles, the first profile's first.
+    /// Reads the names of the five profiles.
     ///
     /// # Errors
     /// If the board does not answer.
@@ -235,7 +235,7 @@ impl Parameters {
         Ok(names.profile_name.iter().map(|name| text_of(name.as_bytes())).collect())
     }
 
-    /// A plan that gives a profile this name.
+    /// Plans naming a profile.
     ///
     /// # Errors
     /// If the name is too long or the board does not answer.
@@ -258,7 +258,7 @@ impl Parameters {
         Ok(plan)
     }
 
-    /// A plan that copies all parameters of one profile to another.
+    /// Plans copying all parameters of one profile to another.
     ///
     /// # Errors
     /// If the board does not answer.
@@ -347,7 +347,7 @@ pub fn profile_set(slot: ProfileSetSlot, action: ProfileSetAction) -> ProfileSet
     ProfileSet { slot, action, ..ProfileSet::default() }
 }
 
-/// Whether a refusal says that the firmware does not know the command.
+/// Whether an error code means that the firmware lacks the command.
 fn is_missing(code: u8) -> bool {
     matches!(ErrorCode::from(code), ErrorCode::UnknownCommand | ErrorCode::NotSupported)
 }

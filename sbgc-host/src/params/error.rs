@@ -10,17 +10,17 @@ use super::set::Difference;
 /// [`std::result::Result`] with [`ParamsError`].
 pub type Result<T, E = ParamsError> = std::result::Result<T, E>;
 
-/// Why something with parameters did not work.
+/// An operation on parameters failed.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ParamsError {
     /// The board, or the way to it.
     #[error(transparent)]
     Host(#[from] crate::Error),
-    /// A name does not mean a parameter.
+    /// A name does not identify a parameter.
     #[error(transparent)]
     Name(#[from] NameError),
-    /// A value does not fit its parameter.
+    /// A value is invalid for its parameter.
     #[error("{path} = {value}: {source}")]
     Value {
         /// The parameter.
@@ -30,7 +30,7 @@ pub enum ParamsError {
         /// Why it does not fit.
         source: Box<ValueError>,
     },
-    /// The firmware lacks what the command needs.
+    /// The firmware is too old.
     #[error("{what} needs firmware {since} or later, the board has {firmware}")]
     Firmware {
         /// What was asked for.
@@ -46,7 +46,7 @@ pub enum ParamsError {
     /// A name of a profile is too long.
     #[error("a profile's name has at most 48 bytes, got {0}")]
     NameTooLong(usize),
-    /// Writing ended on the way.
+    /// Writing was interrupted.
     #[error("{}{}; run the same command again to complete it: {source}", Written(.written), Left(.left))]
     Interrupted {
         /// The blocks that were written.
@@ -56,7 +56,7 @@ pub enum ParamsError {
         /// What happened.
         source: crate::Error,
     },
-    /// Everything was written, and then it could not be read back.
+    /// Everything was written but could not be read back.
     #[error("{} but could not be verified; compare with `params diff`: {source}", Written(.written))]
     NotVerified {
         /// The blocks that were written.
@@ -64,7 +64,7 @@ pub enum ParamsError {
         /// What happened.
         source: crate::Error,
     },
-    /// The board holds something other than what was written.
+    /// The board holds other values than those written.
     #[error("the board did not take {}{}", Listed(.differences), if *.restored {
         "; the previous values were restored"
     } else {
@@ -117,7 +117,7 @@ fn joined(places: &[Place]) -> String {
 }
 
 impl ParamsError {
-    /// What the board or the link said, where that is the cause.
+    /// Error of the board or the link, if that is the cause.
     pub fn host(&self) -> Option<&crate::Error> {
         match self {
             Self::Host(error)

@@ -12,64 +12,64 @@ use sbgc_proto::{DecodeError, EncodeError, IncomingCommand, OutOfRange};
 use super::block::Block;
 use super::quantity::{self, Amount, UnitError};
 
-/// Fields that say where a block belongs or what the board does at present. They are shown and never written.
+/// Fields with the board's present state or the profile of the block: shown, never written.
 const STATE: [&str; 3] = ["PROFILE_ID", "CUR_IMU", "CUR_PROFILE_ID"];
 
 /// A parameter of the board.
 #[derive(Clone, Debug)]
 pub struct Parameter {
-    /// The block that carries it.
+    /// Block that carries it.
     pub block: Block,
-    /// Its path, such as `rc_memory.yaw`.
+    /// Path, such as `rc_memory.yaw`.
     pub path: String,
-    /// The declared field that it is or belongs to.
+    /// Declared field that it is or belongs to.
     pub field: &'static FieldInfo,
-    /// What kind of number it is; none for text and bytes.
+    /// Kind of number; `None` for text and bytes.
     pub number: Option<&'static Number>,
     /// Whether it is text.
     pub is_text: bool,
-    /// Its first byte in the block.
+    /// Offset of its first byte in the block.
     pub offset: usize,
-    /// Its bytes in the block.
+    /// Size in bytes.
     pub size: usize,
 }
 
-/// A value for people and programs.
+/// Value of a parameter in engineering units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
-    /// A number without a scale.
+    /// Number without a scale.
     Integer(i64),
-    /// A number in the parameter's unit.
+    /// Number in the parameter's unit.
     Number(f64),
     /// Text.
     Text(String),
-    /// Bytes that are not a number.
+    /// Bytes other than a number or text.
     Bytes(Vec<u8>),
 }
 
-/// Why a value cannot be that of a parameter.
+/// A value is invalid for a parameter.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ValueError {
-    /// The unit is not one of the parameter.
+    /// The unit does not belong to the parameter.
     #[error(transparent)]
     Unit(#[from] UnitError),
-    /// The field does not take it.
+    /// The field does not accept the value.
     #[error(transparent)]
     Assign(#[from] AssignError),
-    /// It is the board's own business.
+    /// The parameter is read-only.
     #[error("it is set by the board and cannot be written")]
     State,
-    /// The block cannot be read.
+    /// The block cannot be decoded.
     #[error(transparent)]
     Decode(#[from] DecodeError),
-    /// The block cannot be put together.
+    /// The block cannot be encoded.
     #[error(transparent)]
     Encode(#[from] EncodeError),
 }
 
 impl Parameter {
-    /// Whether it says what the board does at present, or which profile the block belongs to; it is never written.
+    /// Whether it is state of the board, or the profile of its block. Such parameters are never written.
     pub fn is_state(&self) -> bool {
         STATE.contains(&self.field.spec)
     }
@@ -176,7 +176,7 @@ impl Parameter {
         quantity::digits(number, raw)
     }
 
-    /// The bytes for what a person writes: a number with or without its unit, the name of a value, names of flags
+    /// Parses user input into wire bytes: a number with or without its unit, the name of a value, names of flags
     /// joined by `|`, a raw number in hex after `0x`, text, or bytes in hex.
     ///
     /// # Errors
@@ -203,10 +203,10 @@ impl Parameter {
         }
     }
 
-    /// The bytes for a value, checked against the range.
+    /// Converts a value into wire bytes, checked against the documented range.
     ///
     /// # Errors
-    /// If the field does not take it.
+    /// If the field does not accept it.
     pub fn wire(&self, input: Input<'_>) -> Result<Vec<u8>, ValueError> {
         let blank = vec![0; self.block.size()];
         let (mut message, _) = IncomingCommand::decode(self.block.read_id(), &blank)?;

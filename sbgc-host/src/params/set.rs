@@ -28,7 +28,7 @@ impl Blocks {
         self.0.iter().map(|(block, payload)| (*block, payload.as_slice()))
     }
 
-    /// Whether there are none.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -54,7 +54,7 @@ impl Blocks {
         Values(catalog.iter().filter_map(value).collect())
     }
 
-    /// These blocks with everything from `other` that is no business of the board itself.
+    /// These blocks with all parameters of `other`; state of the board stays.
     #[must_use]
     pub fn copied_from(&self, other: &Self) -> Self {
         let mut copy = self.clone();
@@ -124,7 +124,7 @@ impl Values {
         }
     }
 
-    /// Whether there are none.
+    /// Whether it is empty.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }

@@ -78,8 +78,8 @@ enum What {
     /// Save all profiles to a slot of the board, load them, or clear the slot
     #[command(after_help = "Examples:
   sbgc profile set save 1 --yes
-  sbgc profile set load 1 --yes
-  sbgc profile set clear backup --dry-run")]
+  sbgc profile set load 1 --dry-run
+  sbgc profile set clear backup --yes")]
     Set {
         /// What to do
         #[arg(value_enum)]

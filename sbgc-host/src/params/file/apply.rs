@@ -5,33 +5,33 @@ use crate::params::block::Profile;
 use crate::params::catalog::Catalog;
 use crate::params::set::{Blocks, Snapshot, Values};
 
-/// What comes of laying the parameters of a file over those of a board.
+/// Board parameters overlaid with those of a file.
 #[derive(Clone, Debug, Default)]
 pub struct Applied {
-    /// The blocks with the values of the file.
+    /// Blocks with the file's values.
     pub blocks: Blocks,
-    /// Paths of the file that the board's firmware does not have, or not as such.
+    /// Paths in the file that this firmware does not have, or not with the same meaning.
     pub left_out: Vec<String>,
 }
 
 impl ParameterFile {
-    /// The document for these parameters.
+    /// Writes parameters as a new document.
     pub fn document(snapshot: &Snapshot) -> String {
         write::document(snapshot)
     }
 
-    /// An older document of the same profiles brought up to date, its comments and the order of its lines kept; none
-    /// where it is no such document.
+    /// Updates an older document of the same profiles, keeping its comments and the order of its lines; returns `None`
+    /// if it is not such a document.
     pub fn updated(old: &str, snapshot: &Snapshot) -> Option<String> {
         write::updated(old, snapshot)
     }
 
-    /// The file's values of a profile laid over `board`, the blocks of a board with `catalog`.
+    /// Overlays the file's values of a profile onto `board`, the blocks of a board with `catalog`.
     pub fn apply(&self, profile: Profile, board: &Blocks, catalog: &Catalog) -> Applied {
         self.lay(self.profiles.get(&profile), board, catalog)
     }
 
-    /// What belongs to no profile laid over `board`.
+    /// Overlays the settings that belong to no profile onto `board`.
     pub fn apply_shared(&self, board: &Blocks, catalog: &Catalog) -> Applied {
         self.lay(self.shared.as_ref(), board, catalog)
     }
@@ -55,12 +55,12 @@ impl ParameterFile {
         applied
     }
 
-    /// The values of a profile by name.
+    /// Values of a profile by parameter.
     pub fn values(&self, profile: Profile) -> Values {
         values(self.profiles.get(&profile))
     }
 
-    /// The values of what belongs to no profile, by name.
+    /// Values that belong to no profile, by parameter.
     pub fn shared_values(&self) -> Values {
         values(self.shared.as_ref())
     }

@@ -37,7 +37,7 @@ use super::parameter::{Parameter, ValueError};
 
 pub use apply::Applied;
 
-/// The parameters of a file, by name.
+/// Parameters read from a TOML document.
 #[derive(Clone, Debug, Default)]
 pub struct ParameterFile {
     firmware: Option<FirmwareVersion>,
@@ -53,53 +53,53 @@ pub(super) struct Section {
     raw: BTreeMap<Block, Vec<u8>>,
 }
 
-/// Why a file is not one of parameters.
+/// A parameter file cannot be read.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("{}{problem}", Line(*.line))]
 pub struct FileError {
-    /// The line, from 1 on, where it can be told.
+    /// Line number, counted from 1, if known.
     pub line: Option<usize>,
-    /// What is wrong there.
+    /// The problem.
     pub problem: Box<FileProblem>,
 }
 
-/// What can be wrong in a file of parameters.
+/// Problems in a parameter file.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum FileProblem {
-    /// It is not TOML.
+    /// The text is not valid TOML.
     #[error("{0}")]
     Syntax(String),
-    /// A key that has no meaning here.
+    /// Unknown key.
     #[error("unknown key {name:?}; expected {expected}")]
     Key {
-        /// The key.
+        /// Key as written.
         name: String,
-        /// What may stand there.
+        /// Keys that are valid there.
         expected: String,
     },
-    /// A name is not that of a parameter.
+    /// Unknown parameter name.
     #[error(transparent)]
     Name(#[from] NameError),
-    /// A value does not fit its parameter.
+    /// Invalid value for its parameter.
     #[error("{path} = {value}: {source}")]
     Value {
-        /// The parameter.
+        /// Path of the parameter.
         path: String,
-        /// What was given.
+        /// Value as written.
         value: String,
-        /// Why it does not fit.
+        /// Cause.
         source: ValueError,
     },
-    /// A value has the wrong form.
+    /// Wrong type of value.
     #[error("{path}: expected {expected}")]
     Form {
-        /// Where.
+        /// Path of the value.
         path: String,
-        /// What it should be.
+        /// Expected type.
         expected: String,
     },
-    /// The same parameter stands twice.
+    /// The same parameter is given twice.
     #[error("{0} is given twice")]
     Twice(String),
 }
@@ -113,22 +113,22 @@ impl std::fmt::Display for Line {
 }
 
 impl ParameterFile {
-    /// The version of the firmware that the parameters come from.
+    /// Firmware version the parameters come from.
     pub const fn firmware(&self) -> Option<FirmwareVersion> {
         self.firmware
     }
 
-    /// The profiles in it.
+    /// Profiles in the file.
     pub fn profiles(&self) -> impl Iterator<Item = Profile> {
         self.profiles.keys().copied()
     }
 
-    /// Whether it has what belongs to no profile.
+    /// Whether the file has settings that belong to no profile.
     pub const fn has_shared(&self) -> bool {
         self.shared.is_some()
     }
 
-    /// The same parameters with only `kept`; what belongs to no profile goes, too.
+    /// Keeps one profile only, without the settings that belong to no profile.
     #[must_use]
     pub fn only(mut self, kept: Profile) -> Self {
         self.profiles.retain(|profile, _| *profile == kept);
@@ -136,7 +136,7 @@ impl ParameterFile {
         self
     }
 
-    /// The same parameters as those of another profile, where there is just one.
+    /// Assigns the only profile of the file to another profile number.
     #[must_use]
     pub fn moved_to(mut self, to: Profile) -> Self {
         if self.profiles.len() == 1

@@ -179,7 +179,7 @@ fn flatten_value<'d>(
     }
 }
 
-/// The bytes for a value. One beyond the documented range is taken where the board had it, as the raw block says.
+/// The bytes for a value. A value outside of the documented range is accepted if the raw block holds the same.
 fn bytes_of(parameter: &Parameter, value: &Value, raw: Option<&[u8]>) -> Result<Vec<u8>, ValueError> {
     let bytes = match value {
         Value::String(text) => parameter.parse(text.value()),

@@ -42,7 +42,7 @@ pub struct GuiFile {
     single: bool,
 }
 
-/// What one part of a file says.
+/// Contents of one part of a file.
 #[derive(Clone, Debug, Default)]
 struct Reading {
     numbers: Vec<Number>,
@@ -71,42 +71,42 @@ impl Number {
     }
 }
 
-/// Why a file of the GUI is refused.
+/// A file of the GUI is refused.
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("{}{problem}", match line { Some(line) => format!("line {line}: "), None => String::new() })]
 pub struct GuiError {
-    /// The line, from 1 on, where it can be told.
+    /// Line number, counted from 1, if known.
     pub line: Option<usize>,
-    /// What is wrong there.
+    /// The problem.
     pub problem: Box<GuiProblem>,
 }
 
-/// What can be wrong in a file of the GUI.
+/// Reasons to refuse a file of the GUI.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum GuiProblem {
-    /// It is not well-formed.
+    /// Not well-formed XML.
     #[error("not XML: {0}")]
     Xml(String),
-    /// It has a document type.
+    /// Has a document type declaration.
     #[error("a document type is not allowed")]
     DocumentType,
     /// An element has an attribute, such as a reference to another.
     #[error("<{0}> has an attribute, which is not understood")]
     Attribute(String),
-    /// A value is missing.
+    /// Null value.
     #[error("<null/> is not understood")]
     Null,
-    /// It is a file of something else.
+    /// Unexpected root element.
     #[error("the root is <{0}>, expected <saved-configuration>")]
     Root(String),
-    /// Something that each file has is missing.
+    /// Required element missing.
     #[error("<{0}> is missing")]
     Missing(&'static str),
-    /// An element stands twice.
+    /// Duplicate element.
     #[error("<{0}> stands twice")]
     Twice(String),
-    /// An element holds something else than it should.
+    /// Unexpected content of an element.
     #[error("<{element}>: expected {expected}")]
     Form {
         /// The element.
@@ -114,7 +114,7 @@ pub enum GuiProblem {
         /// What it should hold.
         expected: String,
     },
-    /// A number does not fit its parameter.
+    /// Number out of the parameter's range.
     #[error("<{element}> {value}: {source}")]
     Value {
         /// The element.
@@ -124,7 +124,7 @@ pub enum GuiProblem {
         /// Why it does not fit.
         source: ValueError,
     },
-    /// A number is not a value of its parameter.
+    /// Number that is not a value of its parameter.
     #[error("<{element}> {value}: {problem}")]
     Number {
         /// The element.

@@ -11,7 +11,7 @@ use crate::params::set::Blocks;
 pub struct Filled {
     /// The file: all bytes but those of the numbers are as they were.
     pub text: String,
-    /// Parameters whose values the file cannot say, so that it keeps what it had.
+    /// Parameters whose values the format cannot express; the template's numbers stay.
     pub unsaid: Vec<String>,
 }
 
@@ -97,7 +97,7 @@ fn part_of(number: &Number, raw: i64) -> i64 {
     if number.element.bits.is_some() { (raw & mask) >> low } else { raw }
 }
 
-/// The number as the GUI writes it; none where it cannot say it.
+/// The number as the GUI writes it; none if the format cannot express it.
 fn written(number: &Number, raw: i64) -> Option<String> {
     let element: &Element = number.element;
     let part = part_of(number, raw);

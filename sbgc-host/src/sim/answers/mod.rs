@@ -29,7 +29,6 @@ mod tuning;
 use std::time::Duration;
 
 use sbgc_proto::commands::AutoPid2Error;
-use sbgc_proto::units::FirmwareVersion;
 use sbgc_proto::{CommandId, OutgoingCommand};
 
 use super::machine::{Call, Machine};
@@ -117,15 +116,15 @@ fn wrong_size(machine: &Machine, id: CommandId) -> Refusal {
         CommandId::AutoPid2 if machine.config().has("2.70") => {
             Refusal::Tuning(AutoPid2Error::WrongCommandSize)
         }
-        _ if first_version(id).is_some_and(|since| !machine.config().knows(since)) => Refusal::Unknown,
+        _ if is_newer(machine, id) => Refusal::Unknown,
         _ => Refusal::Silent,
     }
 }
 
-/// The first version of the firmware that has the command in any form, which may be unknown.
-fn first_version(id: CommandId) -> Option<Option<FirmwareVersion>> {
-    let forms = OutgoingCommand::ALL.iter().filter(|form| form.id == id);
-    forms.map(|form| form.since).min()
+/// Whether the command exists, but the firmware is older than all of its forms.
+fn is_newer(machine: &Machine, id: CommandId) -> bool {
+    let mut forms = OutgoingCommand::ALL.iter().filter(|form| form.id == id).peekable();
+    forms.peek().is_some() && forms.all(|form| !machine.config().knows(form.since))
 }
 
 /// What the board does by itself when it works through its queue.

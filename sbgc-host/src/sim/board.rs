@@ -341,6 +341,25 @@ impl Board {
         &self.machine.motion
     }
 
+    /// Begins a new record of how the axes move, or ends it; [`Motion::recorded`] has it.
+    ///
+    /// ```
+    /// use std::time::Duration;
+    ///
+    /// use sbgc_host::sim::{Board, Config};
+    ///
+    /// let mut board = Board::new(Config::default());
+    /// board.record_motion(true);
+    /// // `MENU_CMD_LOOK_DOWN`
+    /// board.receive(Duration::ZERO, &[0x3E, 69, 1, 70, 17, 17]);
+    /// board.advance(Duration::from_secs(3));
+    /// let fastest = board.motion().recorded().iter().map(|moment| moment.speeds.pitch).fold(0.0, f64::max);
+    /// assert!(fastest > 60.0 && fastest < 61.0, "the speed of automated tasks");
+    /// ```
+    pub fn record_motion(&mut self, on: bool) {
+        self.machine.motion.set_recording(on);
+    }
+
     /// The EEPROM: everything that outlives a reset.
     pub fn eeprom(&self) -> &[u8] {
         self.machine.parameters.eeprom.image()

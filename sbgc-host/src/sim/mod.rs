@@ -67,7 +67,7 @@ pub use board::{Board, POLL, TakenCommand};
 pub use config::{Config, StoredBlock};
 pub use faults::{Fault, FaultError, Way};
 pub use line::LineCounters;
-pub use motion::{Axis, CYCLE, Goal, Limits, Motion};
+pub use motion::{Axis, CYCLE, Goal, Limits, Moment, Motion};
 #[cfg(unix)]
 pub use pty::{LineRate, Pty};
 pub use serve::{SharedBoard, in_process, simulate, simulate_with_state};

@@ -28,14 +28,29 @@ pub struct Motion {
     now: Duration,
     /// How the frame stands, in degrees.
     frame: PerAxis<f64>,
+    record: Option<Vec<Moment>>,
 }
+
+/// How the axes moved in one control cycle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moment {
+    /// When it ended.
+    pub time: Duration,
+    /// The angles, in degrees over many turns.
+    pub angles: PerAxis<f64>,
+    /// The speeds, in degrees per second.
+    pub speeds: PerAxis<f64>,
+}
+
+/// How many cycles are recorded at most: 80 seconds of motion.
+const RECORDED: usize = 100_000;
 
 impl Motion {
     /// Axes that stand at 0. Of `present` motors the first is pitch, the second roll, the third yaw.
     pub fn new(present: u8, motors_on: bool) -> Self {
         let resting = |place| Axis::resting(present >= place);
         let axes = PerAxis { roll: resting(2), pitch: resting(1), yaw: resting(3) };
-        Self { axes, motors_on, now: Duration::ZERO, frame: [0.0; 3].into() }
+        Self { axes, motors_on, now: Duration::ZERO, frame: [0.0; 3].into(), record: None }
     }
 
     /// Whether the motors are on.
@@ -73,6 +88,16 @@ impl Motion {
     pub fn joints(&self) -> PerAxis<f64> {
         let [roll, pitch, yaw] = self.axes.map(|axis| axis.angle).into_array();
         PerAxis { roll: roll - self.frame.roll, pitch: pitch - self.frame.pitch, yaw: yaw - self.frame.yaw }
+    }
+
+    /// The cycles in which something moved since recording began, up to 80 seconds of them.
+    pub fn recorded(&self) -> &[Moment] {
+        self.record.as_deref().unwrap_or_default()
+    }
+
+    /// Begins a new record, or ends recording.
+    pub(super) fn set_recording(&mut self, on: bool) {
+        self.record = on.then(Vec::new);
     }
 
     /// Whether an axis is still on its way, or turns as it was told.
@@ -121,6 +146,14 @@ impl Motion {
                 if moving(axis) {
                     axis.step(seconds, frame);
                 }
+            }
+            let moment = Moment {
+                time: self.now,
+                angles: self.axes.map(|axis| axis.angle),
+                speeds: self.axes.map(|axis| axis.speed),
+            };
+            if let Some(record) = self.record.as_mut().filter(|record| record.len() < RECORDED) {
+                record.push(moment);
             }
         }
     }

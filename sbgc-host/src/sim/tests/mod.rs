@@ -8,6 +8,7 @@ mod memory;
 mod moves;
 mod parameters;
 mod procedures;
+mod sensors;
 mod serving;
 mod storage;
 mod streams;

@@ -48,6 +48,11 @@ impl Expected {
         Self::of_info(Q::ID, Q::REQUEST, <Q::Answer<'static> as crate::Message>::ID, request)
     }
 
+    /// Returns the expected answer to a request that was encoded already.
+    pub(crate) fn of_encoded<Q: Request>(payload: &[u8]) -> Self {
+        Self::of_info(Q::ID, Q::REQUEST, <Q::Answer<'static> as crate::Message>::ID, payload)
+    }
+
     /// Returns the expected answer to the request with this id and payload; `None` if none is declared or
     /// certain.
     pub fn of_payload(command: CommandId, payload: &[u8]) -> Option<Self> {

@@ -91,6 +91,8 @@
 //! | `reflect` | [`reflect`]: list, read and set message fields by name |
 //! | `serde` | serde for all messages: names and physical values in human-readable formats, raw numbers in binary ones |
 //! | `defmt` | [`defmt::Format`](https://docs.rs/defmt) for all messages |
+//! | `embedded-io` | [`link::port`]: the firmware link on a UART with non-blocking reads |
+//! | `embedded-io-async` | [`link::async_port`]: the firmware link on an async UART |
 #![cfg_attr(not(test), no_std)]
 #![cfg_attr(
     not(test),
@@ -112,6 +114,7 @@ mod echo;
 mod error;
 mod expected;
 pub mod frame;
+pub mod link;
 pub mod message;
 #[cfg(feature = "reflect")]
 mod message_info;

@@ -2,7 +2,7 @@
 
 use core::ops::RangeInclusive;
 
-use crate::frame::{self, Version};
+use crate::frame::{self, Frame, Version};
 use crate::units::FirmwareVersion;
 use crate::wire::{Fault, FromWire, Layout, ToWire, Writer};
 use crate::{CommandId, DecodeError, Direction, EncodeError, RequestInfo};
@@ -139,6 +139,29 @@ pub trait Message: Layout {
             let mut writer = Writer::new(payload);
             write_message(self, (), &mut writer).map(|()| writer.len())
         })
+    }
+}
+
+impl<'a> Frame<'a> {
+    /// The id as a name.
+    pub const fn command(&self) -> CommandId {
+        CommandId::from_raw(self.id)
+    }
+
+    /// The payload as the message `M`; `None` if the frame has another id, or the length of another form.
+    ///
+    /// ```
+    /// use sbgc_proto::commands::{Confirm, Error};
+    /// use sbgc_proto::frame::{Frame, Version};
+    ///
+    /// let frame = Frame { version: Version::V1, id: 67, payload: &[93, 255] };
+    /// let confirm = frame.read::<Confirm>().expect("it is one")?;
+    /// assert_eq!(confirm.data.value(), 255);
+    /// assert!(frame.read::<Error>().is_none());
+    /// # Ok::<(), sbgc_proto::DecodeError>(())
+    /// ```
+    pub fn read<M: Message + FromWire<'a>>(&self) -> Option<Result<M, DecodeError>> {
+        (self.id == M::ID.raw() && M::accepts(self.payload.len())).then(|| M::decode(self.payload))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::counters::Tally;
 use super::pending::Pending;
 use super::scan::{Header, Measure, measure};
-use super::{Cause, Counters, Frame, Versions};
+use super::{Cause, Counters, Frame, HEADER, Versions};
 
 /// What the [`Decoder`] found next in the stream.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -150,14 +150,32 @@ impl Decoder {
     /// ```
     #[inline]
     pub fn push(&mut self, byte: u8) -> Option<Event<'_>> {
+        self.put(byte);
+        if self.is_ready() { self.more() } else { None }
+    }
+
+    /// Takes one byte and leaves the look at it to [`more`](Self::more), which has to be called as long as the decoder
+    /// [is ready](Self::is_ready).
+    #[inline]
+    pub(crate) fn put(&mut self, byte: u8) {
         self.pending.push(byte);
-        if self.pending.lacks() > 0 { None } else { self.more() }
+    }
+
+    /// Whether there may be something to tell.
+    #[inline]
+    pub(crate) const fn is_ready(&self) -> bool {
+        self.pending.lacks() == 0 && !self.pending.is_empty()
+    }
+
+    /// The payload of a frame that [`more`](Self::more) told of last, until the next byte.
+    pub(crate) fn last_payload(&self, length: usize) -> &[u8] {
+        self.pending.taken(HEADER, length)
     }
 
     /// The next event that can be told without another byte.
     pub fn more(&mut self) -> Option<Event<'_>> {
         loop {
-            if self.pending.is_empty() || self.pending.lacks() > 0 {
+            if !self.is_ready() {
                 return None;
             }
             match measure(self.pending.as_slice(), self.versions) {

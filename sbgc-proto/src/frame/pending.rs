@@ -15,11 +15,13 @@ pub(super) struct Pending {
     end: usize,
     /// The candidate at `head` waits until `end` is here.
     until: usize,
+    /// Where those bytes start that were taken last.
+    taken: usize,
 }
 
 impl Pending {
     pub(super) const fn new() -> Self {
-        Self { bytes: [0; MAX_FRAME], head: 0, end: 0, until: 0 }
+        Self { bytes: [0; MAX_FRAME], head: 0, end: 0, until: 0, taken: 0 }
     }
 
     pub(super) fn as_slice(&self) -> &[u8] {
@@ -97,11 +99,17 @@ impl Pending {
     pub(super) fn take(&mut self, count: usize) -> &[u8] {
         let from = self.head;
         let to = from.saturating_add(count).min(self.end);
-        (self.head, self.until) = (to, 0);
+        (self.head, self.until, self.taken) = (to, 0, from);
         if to == self.end {
             (self.head, self.end) = (0, 0);
         }
         self.bytes.get(from..to).unwrap_or_default()
+    }
+
+    /// `length` of the bytes that were taken last, from the offset `skip` on, as long as nothing was put in since.
+    pub(super) fn taken(&self, skip: usize, length: usize) -> &[u8] {
+        let start = self.taken.saturating_add(skip);
+        self.bytes.get(start..start.saturating_add(length)).unwrap_or_default()
     }
 
     /// Makes the room of the taken bytes free.

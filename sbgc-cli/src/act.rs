@@ -79,7 +79,6 @@ pub(crate) fn show<M: Message + ToWire>(
 }
 
 /// Like [`show`], for payloads that were made elsewhere.
-#[allow(dead_code, reason = "for commands that are built by name")]
 pub(crate) fn show_payload(
     output: &mut Output,
     version: Version,

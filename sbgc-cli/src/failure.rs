@@ -63,7 +63,6 @@ pub(crate) enum Failure {
     Signal(Signal),
 
     /// Anything else that was tried and did not work.
-    #[allow(dead_code, reason = "commands that check what came back use it")]
     #[error("{0}")]
     Failed(String),
 }

@@ -13,8 +13,6 @@
 //! cli · main                                         the command line as a whole
 //! ```
 
-#![allow(dead_code, reason = "shared parts come before the commands that use them")]
-
 mod act;
 mod cli;
 mod commands;

@@ -18,7 +18,6 @@ pub(crate) struct Output {
 }
 
 /// What became of an action.
-#[allow(dead_code, reason = "the words that all commands share")]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum State {
     Accepted,
@@ -26,7 +25,6 @@ pub(crate) enum State {
     Done,
     Stopped,
     Cancelled,
-    Refused,
     Failed,
 }
 
@@ -38,7 +36,6 @@ impl State {
             State::Done => "done",
             State::Stopped => "stopped",
             State::Cancelled => "cancelled",
-            State::Refused => "refused",
             State::Failed => "failed",
         }
     }

@@ -8,7 +8,6 @@ pub(crate) fn config() -> Option<PathBuf> {
 }
 
 /// The directory of what the tool keeps, such as backups, `$XDG_STATE_HOME/sbgc`.
-#[allow(dead_code, reason = "backups are kept there")]
 pub(crate) fn state() -> Option<PathBuf> {
     place("XDG_STATE_HOME", ".local/state")
 }

@@ -33,11 +33,6 @@ impl Bar {
         Self(bar)
     }
 
-    /// Whether anybody sees it.
-    pub(crate) fn is_visible(&self) -> bool {
-        !self.0.is_hidden()
-    }
-
     /// So much of so much is done.
     pub(crate) fn show(&self, done: usize, all: usize) {
         self.0.set_length(all as u64);

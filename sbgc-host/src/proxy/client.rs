@@ -92,8 +92,7 @@ impl SetpointOwners {
             };
             match sample {
                 None => return,
-                Some(Sample::Lagged(_)) => {}
-                Some(Sample::Interrupted(_) | Sample::Resumed(_)) => {}
+                Some(Sample::Lagged(_) | Sample::Interrupted(_) | Sample::Resumed(_)) => {}
                 Some(Sample::Payload(payload)) => {
                     let owners = self.0.lock().unwrap_or_else(PoisonError::into_inner);
                     if let Some(outbox) = payload.first().and_then(|command| owners.get(command)) {

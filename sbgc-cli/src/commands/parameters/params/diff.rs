@@ -18,7 +18,7 @@ use crate::output::Output;
 /// profiles and parameters that it has are compared. Next to a profile or defaults, `board` is the active profile.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  sbgc params diff gimbal.toml
+  sbgc params dump gimbal.toml && sbgc params diff gimbal.toml
   sbgc params diff profile:1 profile:2 --json
   sbgc params diff board profile:3")]
 pub(super) struct Diff {

@@ -23,9 +23,8 @@ use crate::talk;
 /// are included. What is never written but holds something is listed.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
-  sbgc params restore gimbal.toml
-  sbgc params restore gimbal.toml --dry-run
-  sbgc params restore gimbal.toml --profile 3 --yes")]
+  sbgc params dump gimbal.toml && sbgc params restore gimbal.toml
+  sbgc params dump gimbal.toml && sbgc params restore gimbal.toml --dry-run")]
 pub(super) struct Restore {
     /// File of `params dump`, or of the GUI
     file: PathBuf,

@@ -155,6 +155,31 @@ fn answers_are_read_with_their_request_in_mind() {
 }
 
 #[test]
+fn chosen_debug_variables_are_read_with_the_request_and_their_description() {
+    // Three variables described: u8, i16, float; then the first and the third asked for.
+    let log = "1 in: [253,16] 03 0141010000 0142040000 0143070000\n\
+               2 out: [254,4] 05000000\n\
+               3 in: [254,9] 05000000 2A 0000803F\n";
+    let objects = objects(&run_with_input(&["decode", "--json", "--from", "log"], log.as_bytes()));
+    let last = objects.last().unwrap();
+    assert_eq!(last["form"], "masked", "{last}");
+    let shown: Vec<_> = last["fields"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|field| (field["path"].as_str().unwrap(), field["offset"].clone(), field["value"].clone()))
+        .collect();
+    assert_eq!(
+        shown,
+        [
+            ("selected_mask[0]", json!(0), json!(5)),
+            ("var_value[0]", json!(4), json!(42)),
+            ("var_value[2]", json!(5), json!(1.0)),
+        ]
+    );
+}
+
+#[test]
 fn what_cannot_be_decoded_is_shown_as_fully_as_what_can() {
     let frame = b"3E 56 03 59 01 02 03 06";
     let output = run_with_input(&["decode", "--json", "--direction", "incoming"], frame);

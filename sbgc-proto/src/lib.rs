@@ -93,6 +93,9 @@
 //! | `defmt` | [`defmt::Format`](https://docs.rs/defmt) for all messages |
 //! | `embedded-io` | [`link::port`]: the firmware link on a UART with non-blocking reads |
 //! | `embedded-io-async` | [`link::async_port`]: the firmware link on an async UART |
+//!
+//! In human-readable formats, bytes are hex digits. Messages that borrow bytes from their payload can be written in these
+//! formats, but read back from binary ones only: decoding hex digits needs memory, and this crate allocates none.
 #![cfg_attr(not(test), no_std)]
 #![cfg_attr(
     not(test),

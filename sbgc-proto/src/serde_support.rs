@@ -352,8 +352,8 @@ impl Visitor<'_> for FloatVisitor {
 
 /// Serde for bytes that a message borrows: hex digits where people read.
 ///
-/// Hex digits cannot be borrowed as bytes, so such messages are read from formats that keep bytes as they are, and from
-/// text only where there are none.
+/// Hex digits cannot be borrowed as bytes, and there is no allocator to keep decoded ones, so such messages are read back
+/// from formats that keep bytes as they are. From text they are read only if the field is empty.
 pub(crate) mod borrowed_bytes {
     use core::fmt;
 

@@ -4,8 +4,9 @@ use std::collections::VecDeque;
 use std::sync::LazyLock;
 
 use sbgc_proto::commands::{
-    CanDrvTelemetry, CanDrvTelemetryFlags, DebugVarKind, DebugVars3, RealtimeDataCustom, RealtimeDataCustom2,
-    RealtimeDataCustom2Flags, RealtimeDataCustomFlags, StreamSource,
+    CanDrvTelemetry, CanDrvTelemetryFlags, DebugVarKind, DebugVars3, DebugVars3ExtendedRequest,
+    DebugVars3Masked, RealtimeDataCustom, RealtimeDataCustom2, RealtimeDataCustom2Flags,
+    RealtimeDataCustomFlags, StreamSource,
 };
 use sbgc_proto::reflect::{self, Visitor};
 use sbgc_proto::wire::FromWire;
@@ -27,6 +28,8 @@ pub enum Meaning<'a> {
     CanDrvTelemetry(CanDrvTelemetry),
     /// Values of debug variables whose kinds are known from their description.
     DebugVars3(DebugVars3<'a>, Vec<DebugVarKind>),
+    /// Values of the debug variables that a request chose, of these kinds.
+    DebugVars3Masked(DebugVars3Masked<'a>, Vec<DebugVarKind>),
 }
 
 /// A message that was read, and the bytes that newer firmware has added to it.
@@ -55,7 +58,7 @@ impl Interpreted<'_> {
             Meaning::RealtimeDataCustom(_) => Some(RealtimeDataCustom::SPEC),
             Meaning::RealtimeDataCustom2(_) => Some(RealtimeDataCustom2::SPEC),
             Meaning::CanDrvTelemetry(_) => Some(CanDrvTelemetry::SPEC),
-            Meaning::DebugVars3(..) => Some(DebugVars3::SPEC),
+            Meaning::DebugVars3(..) | Meaning::DebugVars3Masked(..) => Some(DebugVars3::SPEC),
         }
     }
 
@@ -68,6 +71,7 @@ impl Interpreted<'_> {
             Meaning::RealtimeDataCustom2(_) => RealtimeDataCustom2::FORM,
             Meaning::CanDrvTelemetry(_) => CanDrvTelemetry::FORM,
             Meaning::DebugVars3(..) => DebugVars3::FORM,
+            Meaning::DebugVars3Masked(..) => DebugVars3Masked::FORM,
         }
     }
 
@@ -81,6 +85,10 @@ impl Interpreted<'_> {
             Meaning::CanDrvTelemetry(message) => drop(reflect::walk(message, visitor)),
             // That the kinds fit was seen when it was read.
             Meaning::DebugVars3(message, kinds) => drop(message.walk_values(kinds.iter().copied(), visitor)),
+            Meaning::DebugVars3Masked(message, kinds) => {
+                // That the kinds fit was seen when it was read.
+                let _ = message.walk_values(kinds.iter().copied(), visitor);
+            }
         }
     }
 }
@@ -93,6 +101,8 @@ pub struct Interpreter {
     custom2: Requests<RealtimeDataCustom2Flags>,
     telemetry: Requests<CanDrvTelemetryFlags>,
     variables: Vec<DebugVarKind>,
+    /// The choice of debug variables that was asked for last; `None` for all of them.
+    chosen: Option<DebugVars3ExtendedRequest>,
     /// The variable with which the description that was asked for last begins.
     described_from: usize,
 }
@@ -144,6 +154,8 @@ impl Interpreter {
         match message {
             OutgoingCommand::RealtimeDataCustomRequest(request) => self.custom.add(request.flags),
             OutgoingCommand::RealtimeDataCustom2Request(request) => self.custom2.add(request.flags),
+            OutgoingCommand::DebugVars3Request(_) => self.chosen = None,
+            OutgoingCommand::DebugVars3ExtendedRequest(request) => self.chosen = Some(request.clone()),
             OutgoingCommand::DebugVarsInfo3Request(_) => self.described_from = 0,
             OutgoingCommand::DebugVarsInfo3ExtendedRequest(request) => {
                 self.described_from = request.start_idx.into();
@@ -156,6 +168,19 @@ impl Interpreter {
             },
             _ => {}
         }
+    }
+
+    /// The values of the variables that were chosen, where `message` begins with the choice.
+    fn chosen_variables<'a>(&self, message: &DebugVars3<'a>) -> Option<Meaning<'a>> {
+        let request = self.chosen.as_ref()?;
+        let masked = message.masked(request.selected_mask.len()).ok()?;
+        if masked.selected_mask != request.selected_mask {
+            return None;
+        }
+        let kinds = request.variables().map(|variable| self.variables.get(variable).copied());
+        let kinds: Vec<_> = kinds.collect::<Option<_>>()?;
+        let is_whole = is_whole(&DebugVars3 { var_value: masked.var_value }, &kinds);
+        is_whole.then_some(Meaning::DebugVars3Masked(masked, kinds))
     }
 
     /// The message as its request tells to read it, where one was seen.
@@ -182,13 +207,22 @@ impl Interpreter {
                 self.telemetry.decode(payload).map(|(data, rest)| (Meaning::CanDrvTelemetry(data), rest))
             }
             IncomingCommand::DebugVars3(values) if !self.variables.is_empty() => {
-                let mut read = values.values(self.variables.iter().copied());
-                let whole = read.by_ref().all(|value| value.is_ok()) && read.rest().is_empty();
-                whole.then(|| (Meaning::DebugVars3(*values, self.variables.clone()), &[][..]))
+                let masked = self.chosen_variables(values);
+                let meaning = masked.or_else(|| {
+                    let kinds = self.variables.clone();
+                    is_whole(values, &kinds).then_some(Meaning::DebugVars3(*values, kinds))
+                });
+                meaning.map(|meaning| (meaning, &[][..]))
             }
             _ => None,
         })
     }
+}
+
+/// Whether the values of variables of these kinds fill the message.
+fn is_whole(values: &DebugVars3<'_>, kinds: &[DebugVarKind]) -> bool {
+    let mut read = values.values(kinds.iter().copied());
+    read.by_ref().all(|value| value.is_ok()) && read.rest().is_empty()
 }
 
 /// What was asked for, newest first.

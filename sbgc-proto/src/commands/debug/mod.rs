@@ -153,10 +153,7 @@ impl DebugVars3ExtendedRequest {
 
     /// The numbers of the variables, in the order of their values in the answer.
     pub fn variables(&self) -> impl Iterator<Item = usize> {
-        let masks = self.selected_mask.iter().zip((0..).step_by(32));
-        masks.flat_map(|(mask, first)| {
-            (0..32).filter(move |bit| mask >> bit & 1 != 0).map(move |bit| first + bit)
-        })
+        chosen(&self.selected_mask)
     }
 }
 
@@ -199,7 +196,7 @@ impl DebugVars3<'_> {
     /// Visits the values as numbers of the kinds that the variables have, each as `var_value[index]`.
     ///
     /// # Errors
-    /// If a kind is none that is known, or the payload ends within a value. The values before it were visited.
+    /// If a kind is unknown, or the payload ends within a value. The values before it were visited.
     pub fn walk_values(
         &self,
         kinds: impl IntoIterator<Item = DebugVarKind>,
@@ -208,23 +205,62 @@ impl DebugVars3<'_> {
         use crate::reflect::{Describe, Place, Shape};
 
         let Shape::Struct(fields) = Self::SHAPE else { return Ok(()) };
-        let root = Place::ROOT;
-        let list = root.field(fields, 0, 0);
-        let mut offset = 0;
-        for (index, value) in self.values(kinds).enumerate() {
-            let place = list.element(index, offset);
-            offset += match value? {
-                DebugVarValue::U8(value) => value.walk(&place, visitor),
-                DebugVarValue::I8(value) => value.walk(&place, visitor),
-                DebugVarValue::U16(value) => value.walk(&place, visitor),
-                DebugVarValue::I16(value) => value.walk(&place, visitor),
-                DebugVarValue::U32(value) => value.walk(&place, visitor),
-                DebugVarValue::I32(value) => value.walk(&place, visitor),
-                DebugVarValue::F32(value) => value.walk(&place, visitor),
-            };
-        }
-        Ok(())
+        walk_values(self.values(kinds), 0.., &Place::ROOT.field(fields, 0, 0), visitor)
     }
+}
+
+#[cfg(feature = "reflect")]
+impl DebugVars3Masked<'_> {
+    /// Visits the masks, then the values as numbers of the kinds that the chosen variables have, each as
+    /// `var_value[index]` with the number of its variable.
+    ///
+    /// # Errors
+    /// If a kind is unknown, or the payload ends within a value. The values before it were visited.
+    pub fn walk_values(
+        &self,
+        kinds: impl IntoIterator<Item = DebugVarKind>,
+        visitor: &mut dyn crate::reflect::Visitor,
+    ) -> Result<(), DecodeError> {
+        use crate::reflect::{Describe, Place, Shape};
+
+        let Shape::Struct(fields) = Self::SHAPE else { return Ok(()) };
+        let size = Place::ROOT.field(fields, 0, 0).walk(&self.selected_mask, visitor);
+        let variables = chosen(&self.selected_mask);
+        walk_values(self.values(kinds), variables, &Place::ROOT.field(fields, 1, size), visitor)
+    }
+}
+
+/// Visits values of the variables with these numbers as elements of `list`.
+#[cfg(feature = "reflect")]
+fn walk_values<K: Iterator<Item = DebugVarKind>>(
+    values: DebugVarValues<'_, K>,
+    variables: impl Iterator<Item = usize>,
+    list: &crate::reflect::Place<'_>,
+    visitor: &mut dyn crate::reflect::Visitor,
+) -> Result<(), DecodeError> {
+    use crate::reflect::Describe;
+
+    let mut offset = 0;
+    for (variable, value) in variables.zip(values) {
+        let place = list.element(variable, offset);
+        offset += match value? {
+            DebugVarValue::U8(value) => value.walk(&place, visitor),
+            DebugVarValue::I8(value) => value.walk(&place, visitor),
+            DebugVarValue::U16(value) => value.walk(&place, visitor),
+            DebugVarValue::I16(value) => value.walk(&place, visitor),
+            DebugVarValue::U32(value) => value.walk(&place, visitor),
+            DebugVarValue::I32(value) => value.walk(&place, visitor),
+            DebugVarValue::F32(value) => value.walk(&place, visitor),
+        };
+    }
+    Ok(())
+}
+
+/// The numbers of the variables that `masks` choose.
+fn chosen(masks: &[u32]) -> impl Iterator<Item = usize> {
+    let masks = masks.iter().zip((0..).step_by(32));
+    masks
+        .flat_map(|(mask, first)| (0..32).filter(move |bit| mask >> bit & 1 != 0).map(move |bit| first + bit))
 }
 
 /// Values of the requested debug variables.

@@ -149,6 +149,24 @@ fn values_beyond_their_documented_range_are_taken_with_a_warning() {
 }
 
 #[test]
+fn versions_are_taken_as_they_are_shown() {
+    let version = |text: &str| {
+        let fields = vec![(String::from("firmware_ver"), text.to_owned())];
+        let encode =
+            Encode { name: String::from("BOARD_INFO"), fields, direction: Way::Incoming, form: None };
+        encode.encode(Version::V1).map(|encoded| u16::from_le_bytes([encoded.frame[5], encoded.frame[6]]))
+    };
+    for (text, raw) in
+        [("2.73", 2730), ("2.73.5", 2735), ("2.68b7", 2687), ("2735", 2735), ("2.73.5 (2735)", 2735)]
+    {
+        assert_eq!(version(text).unwrap(), raw, "{text}");
+    }
+    for text in ["2.7x", "2.73.5.1", "2.73.5 (2734)", "70.00", "1.5e1"] {
+        assert!(version(text).is_err(), "{text}");
+    }
+}
+
+#[test]
 fn one_name_of_a_bit_field_says_all() {
     let by_name = encode("CONTROL", &["control_mode.roll=MODE_ANGLE"]).unwrap().frame;
     let by_part = encode("CONTROL", &["control_mode.roll=CONTROL_MODE=MODE_ANGLE"]).unwrap().frame;

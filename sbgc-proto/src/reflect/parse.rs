@@ -79,10 +79,10 @@ impl Number {
         if let Some(raw) = self.raw_of_name(text).or_else(|| hexadecimal(text)) {
             return Ok(raw);
         }
-        if let Meaning::Shown { read, .. } = self.meaning
-            && let Some(raw) = read(text)
-        {
-            return Ok(raw);
+        if let Meaning::Shown { read, .. } = self.meaning {
+            // What is nearly a version is not to pass as a number.
+            let raw = read(text).or_else(|| text.parse().ok());
+            return raw.ok_or(AssignError::NotANumber { number: *self });
         }
         let unit = if self.unit.is_empty() { field.unit } else { self.unit };
         match value_in(text, unit) {

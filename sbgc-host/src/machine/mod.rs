@@ -42,7 +42,7 @@ mod call;
 mod counters;
 mod outbox;
 mod pacer;
-pub(crate) mod queue;
+mod queue;
 mod registrations;
 mod samples;
 mod session;
@@ -57,13 +57,12 @@ use sbgc_proto::{CommandId, Direction, Expected};
 
 pub use call::{Call, Failure, Priority, Waiter};
 pub use counters::LinkCounters;
-pub use queue::{Interruption, Payload, Sample};
+pub use queue::{Interruption, Payload, Queue, Sample};
 pub use registrations::{MAX_STREAMS, StreamCall};
 pub use samples::Shape;
 
 use outbox::{Batch, Kind, Setpoints};
 use pacer::Pacer;
-use queue::Queue;
 use registrations::{Registrations, Told};
 use session::{Session, Verdict};
 
@@ -298,7 +297,7 @@ impl<W: Waiter> Machine<W> {
     }
 
     /// Has frames with this id put into the queue that is returned.
-    pub(crate) fn listen(&mut self, command: u8, capacity: usize) -> (u64, Arc<Queue>) {
+    pub fn listen(&mut self, command: u8, capacity: usize) -> (u64, Arc<Queue>) {
         let (number, queue) = self.queue(capacity);
         if self.is_over() {
             queue.end();
@@ -309,7 +308,7 @@ impl<W: Waiter> Machine<W> {
     }
 
     /// Has the board send a stream into the queue that is returned, and tells `waiter` when that is confirmed.
-    pub(crate) fn subscribe(&mut self, call: StreamCall, waiter: W) -> (u64, Arc<Queue>) {
+    pub fn subscribe(&mut self, call: StreamCall, waiter: W) -> (u64, Arc<Queue>) {
         let (number, queue) = self.queue(call.capacity);
         match self.check_open() {
             Ok(()) => tell(self.registrations.add(call, number, Arc::clone(&queue), waiter)),
@@ -626,6 +625,9 @@ impl<W: Waiter> Machine<W> {
 
     /// When something is to be done even if nothing happens.
     pub fn next_wake(&self, now: Duration) -> Option<Duration> {
+        if self.is_over() {
+            return None;
+        }
         let gap = (self.decoder.pending() > 0).then(|| self.last_read.saturating_add(self.setup.gap));
         let wants = self.batch.is_empty() && (self.session.wants_to_send(now) || !self.setpoints.is_empty());
         let send = wants.then(|| self.pacer.not_before());

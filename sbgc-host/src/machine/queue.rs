@@ -87,9 +87,9 @@ impl fmt::Debug for Payload {
     }
 }
 
-/// The queue.
+/// A bounded queue between the machine and one subscriber.
 #[derive(Debug)]
-pub(crate) struct Queue {
+pub struct Queue {
     capacity: usize,
     state: Mutex<State>,
 }
@@ -159,7 +159,8 @@ impl Queue {
         wake(state);
     }
 
-    pub(crate) fn poll(&self, context: &mut Context<'_>) -> Poll<Option<Sample>> {
+    /// The next sample, a gap in them, or `None` when no more will come.
+    pub fn poll(&self, context: &mut Context<'_>) -> Poll<Option<Sample>> {
         let mut state = self.lock();
         if state.lost > 0 {
             return Poll::Ready(Some(Sample::Lagged(std::mem::take(&mut state.lost))));

@@ -26,6 +26,9 @@ use super::call::{Call, Failure, Priority};
 /// How long an answer may be late, at least.
 pub(super) const GRACE: Duration = Duration::from_millis(250);
 
+/// How long answers may take as long as none has come.
+const UNKNOWN_LATENCY: Duration = Duration::from_secs(1);
+
 /// How long an answer may be late, at most.
 const LONGEST_GRACE: Duration = Duration::from_secs(10);
 
@@ -89,6 +92,7 @@ struct Sent<W> {
     /// Until when this attempt, or for a tombstone any late answer, may be answered.
     until: Duration,
     handed_out: Duration,
+    first_out: Duration,
     /// How often it was handed out.
     times: u32,
     /// How many answers may still come.
@@ -112,8 +116,8 @@ pub(super) struct Session<W> {
     queued: VecDeque<Queued<W>>,
     sent: VecDeque<Sent<W>>,
     next_number: u64,
-    /// The longest time that answers took of late.
-    latency: Duration,
+    /// The longest time that answers took of late; `None` before the first.
+    latency: Option<Duration>,
     timeouts: u64,
     repeats: u64,
     is_gone: fn(&W) -> bool,
@@ -126,7 +130,7 @@ impl<W> Session<W> {
             queued: VecDeque::new(),
             sent: VecDeque::new(),
             next_number: 0,
-            latency: Duration::ZERO,
+            latency: None,
             timeouts: 0,
             repeats: 0,
             is_gone,
@@ -165,8 +169,8 @@ impl<W> Session<W> {
     }
 
     /// The longest time that answers took of late.
-    pub(super) const fn latency(&self) -> Duration {
-        self.latency
+    pub(super) fn latency(&self) -> Duration {
+        self.latency.unwrap_or(UNKNOWN_LATENCY)
     }
 
     /// Takes a request.
@@ -253,6 +257,7 @@ impl<W> Session<W> {
             deadline,
             until,
             handed_out: now,
+            first_out: now,
             times: 1,
             answers: 1,
             again: false,
@@ -265,6 +270,9 @@ impl<W> Session<W> {
         let grace = self.grace();
         if let Some(entry) = self.sent.iter_mut().find(|entry| entry.number == number) {
             entry.written = true;
+            if entry.times == 1 {
+                entry.first_out = now;
+            }
             entry.handed_out = now;
             entry.until = match entry.waiter {
                 Some(_) => now.saturating_add(entry.call.patience(entry.times)).min(entry.deadline),
@@ -366,8 +374,8 @@ impl<W> Session<W> {
         let grace = self.grace();
         let Some(entry) = self.sent.get_mut(index) else { return Verdict::Unsolicited };
         entry.answers = entry.answers.saturating_sub(1);
-        // Of a command that was sent twice nobody knows which of the two was answered.
-        let took = (entry.times == 1).then(|| now.saturating_sub(entry.handed_out));
+        // Of a command that was sent twice nobody knows which of the two was answered, so it took this at most.
+        let took = now.saturating_sub(entry.first_out);
         let awaited = entry.awaited;
         let waiter = entry.waiter.take();
         if waiter.is_some() {
@@ -380,9 +388,8 @@ impl<W> Session<W> {
         if entry.answers == 0 {
             self.sent.remove(index);
         }
-        if let Some(took) = took {
-            self.latency = took.max(self.latency.saturating_sub(self.latency.saturating_sub(took) / 8));
-        }
+        let latency = self.latency.unwrap_or(took);
+        self.latency = Some(took.max(latency.saturating_sub(latency.saturating_sub(took) / 8)));
         match waiter {
             Some(waiter) if !(self.is_gone)(&waiter) => {
                 Verdict::Answer(waiter, outcome.map(Bytes::copy_from_slice))
@@ -394,7 +401,7 @@ impl<W> Session<W> {
 
     /// How long after it was sent a command may be answered.
     fn grace(&self) -> Duration {
-        self.latency.saturating_mul(2).clamp(GRACE, LONGEST_GRACE)
+        self.latency().saturating_mul(2).clamp(GRACE, LONGEST_GRACE)
     }
 
     /// When [`on_deadline`](Self::on_deadline) must be called, or [`next_to_send`](Self::next_to_send) may have

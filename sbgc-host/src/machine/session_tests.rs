@@ -8,8 +8,13 @@ use super::*;
 #[derive(Clone, Debug)]
 struct Who(&'static str, Rc<Cell<bool>>);
 
+/// A table that has had an answer at once, so that the grace is the shortest.
 fn session() -> Session<Who> {
-    Session::new(|who| who.1.get())
+    let mut session = Session::new(|who: &Who| who.1.get());
+    session.request(START, read(86, &[]), who("first"));
+    sent(&mut session, START);
+    session.on_frame(START, 86, &[]);
+    session
 }
 
 impl PartialEq for Who {
@@ -164,6 +169,17 @@ fn urgent_commands_overtake_all_that_wait() {
     assert_eq!(sent(&mut session, now), [109]);
     assert_eq!(session.on_frame(now, 67, &[109]), answer("off", &[109]));
     assert_eq!(session.on_frame(now, 67, &[109]), answer("again", &[109]));
+}
+
+#[test]
+fn before_the_first_answer_the_grace_is_long() {
+    let (mut session, start) = (Session::new(|who: &Who| who.1.get()), START);
+    session.request(start, write(77), who("a"));
+    assert_eq!(sent(&mut session, start), [77]);
+    assert!(expired(&mut session, start + MS(500)).is_some());
+    session.request(start + MS(500), Call { timeout: MS(3000), ..write(77) }, who("b"));
+    assert_eq!(sent(&mut session, start + MS(1999)), []);
+    assert_eq!(sent(&mut session, start + MS(2000)), [77]);
 }
 
 #[test]

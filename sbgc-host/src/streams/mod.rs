@@ -22,8 +22,7 @@ pub use typed::{Item, TypedStream};
 
 use crate::error::Result;
 use crate::gimbal::{Gimbal, explain};
-use crate::machine::queue::Queue;
-use crate::machine::{Shape, StreamCall};
+use crate::machine::{Queue, Shape, StreamCall};
 
 /// How many samples a queue holds for those who listen: more than a second of anything that a board sends.
 const CAPACITY: usize = 2048;

@@ -90,6 +90,7 @@
 )]
 
 pub mod actions;
+pub mod blocking;
 pub mod calibrate;
 #[cfg(feature = "capture")]
 pub mod capture;

@@ -90,9 +90,15 @@ async fn an_unconfirmed_stream_is_taken_back() {
     for interval in [20, 20, 20, 0, 0] {
         assert_eq!(board.expect(STREAM).await.payload, start(interval));
     }
-    // Until it is confirmed that it ended.
+    // Until it is confirmed that it ended. The first confirmations may be late ones of the start.
     board.confirm(STREAM).await;
-    assert!(board.is_quiet(MS(60_000)).await);
+    let mut repeats = 0;
+    while let Ok(frame) = tokio::time::timeout(MS(60_000), board.next()).await {
+        assert_eq!(frame.payload, start(0));
+        board.confirm(STREAM).await;
+        repeats += 1;
+    }
+    assert!(repeats <= 3, "{repeats}");
 }
 
 #[tokio::test(start_paused = true)]

@@ -353,6 +353,10 @@ async fn repeat(inner: Arc<Inner>) {
             sent = sent.and(inner.gimbal.set(&inner.options.config(inner.firmware)));
         }
         if let Err(error) = sent {
+            if inner.gimbal.is_reconnecting() {
+                // The board stops by itself meanwhile, and goes on with the newest set-point.
+                continue;
+            }
             tracing::debug!(%error, "control session ended");
             return;
         }

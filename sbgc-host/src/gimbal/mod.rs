@@ -181,6 +181,11 @@ impl Gimbal {
         self.link().state.subscribe()
     }
 
+    /// Whether the port was lost and is being opened again.
+    pub fn is_reconnecting(&self) -> bool {
+        self.link().look(Machine::state) == LinkState::Reconnecting
+    }
+
     /// Sends what is still to be sent, ends data streams, and gives the port back. All handles are closed by it.
     pub async fn close(self) {
         let mut state = self.link_state();

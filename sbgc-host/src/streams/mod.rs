@@ -6,6 +6,7 @@
 //!
 //! What a sample means is for its message to say; what keeps the registrations is in [`machine`](crate::machine).
 
+mod kinds;
 mod typed;
 
 use std::pin::Pin;
@@ -18,6 +19,7 @@ use sbgc_proto::commands::StreamSource;
 use tokio::sync::oneshot;
 
 pub use crate::machine::{Interruption, Payload, Sample};
+pub use kinds::{EventStream, Happening};
 pub use typed::{Item, TypedStream};
 
 use crate::error::Result;

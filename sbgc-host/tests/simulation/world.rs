@@ -13,7 +13,7 @@ use sbgc_host::machine::{
 };
 use sbgc_host::proto::frame::{Decoder, Event, Version, Versions};
 use sbgc_host::proto::{CommandId, Expected};
-use sbgc_host::sim::{Board, Config};
+use sbgc_host::sim::{Board, Config, Fault};
 
 use crate::line::{Dice, Line};
 
@@ -311,7 +311,7 @@ impl World {
         self.next_fault = self.now + Duration::from_secs(10 + self.dice.below(60)) * self.scale;
         match self.dice.below(3) {
             0 => self.stalled_until = self.now + self.dice.millis(8000),
-            1 => self.board.reset_with_notice(),
+            1 => self.board.inject(Fault::Reset { at: self.now }),
             _ if self.unplugged.is_none() => {
                 let time = MS(100) + self.dice.millis(5000);
                 self.unplug(time);

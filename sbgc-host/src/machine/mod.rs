@@ -338,7 +338,7 @@ impl<W: Waiter> Machine<W> {
         if self.is_over() || self.ending.is_some() {
             return;
         }
-        let flush = self.session.latency().saturating_mul(4).clamp(FLUSH, LONGEST_FLUSH);
+        let flush = self.session.known_latency().saturating_mul(4).clamp(FLUSH, LONGEST_FLUSH);
         self.ending = Some(now.saturating_add(flush));
         for waiting in self.session.dismiss() {
             self.settle(now, waiting, Err(Failure::Closed));

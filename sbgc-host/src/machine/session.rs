@@ -27,7 +27,7 @@ use super::call::{Call, Failure, Priority};
 pub(super) const GRACE: Duration = Duration::from_millis(250);
 
 /// How long answers may take as long as none has come.
-const UNKNOWN_LATENCY: Duration = Duration::from_secs(1);
+const UNKNOWN_LATENCY: Duration = Duration::from_millis(500);
 
 /// How long an answer may be late, at most.
 const LONGEST_GRACE: Duration = Duration::from_secs(10);
@@ -171,6 +171,11 @@ impl<W> Session<W> {
     /// The longest time that answers took of late.
     pub(super) fn latency(&self) -> Duration {
         self.latency.unwrap_or(UNKNOWN_LATENCY)
+    }
+
+    /// The same; zero before the first answer.
+    pub(super) fn known_latency(&self) -> Duration {
+        self.latency.unwrap_or_default()
     }
 
     /// Takes a request.
@@ -371,11 +376,15 @@ impl<W> Session<W> {
     }
 
     fn answer(&mut self, now: Duration, index: usize, outcome: Result<&[u8], Failure>) -> Verdict<W> {
+        let Some(entry) = self.sent.get(index) else { return Verdict::Unsolicited };
+        // Of a command that was sent twice nobody knows which of the two was answered, so it took this at most.
+        let since = if entry.waiter.is_some() { entry.first_out } else { entry.handed_out };
+        let took = now.saturating_sub(since);
+        let latency = self.latency.unwrap_or(took);
+        self.latency = Some(took.max(latency.saturating_sub(latency.saturating_sub(took) / 8)));
         let grace = self.grace();
         let Some(entry) = self.sent.get_mut(index) else { return Verdict::Unsolicited };
         entry.answers = entry.answers.saturating_sub(1);
-        // Of a command that was sent twice nobody knows which of the two was answered, so it took this at most.
-        let took = now.saturating_sub(entry.first_out);
         let awaited = entry.awaited;
         let waiter = entry.waiter.take();
         if waiter.is_some() {
@@ -388,8 +397,6 @@ impl<W> Session<W> {
         if entry.answers == 0 {
             self.sent.remove(index);
         }
-        let latency = self.latency.unwrap_or(took);
-        self.latency = Some(took.max(latency.saturating_sub(latency.saturating_sub(took) / 8)));
         match waiter {
             Some(waiter) if !(self.is_gone)(&waiter) => {
                 Verdict::Answer(waiter, outcome.map(Bytes::copy_from_slice))

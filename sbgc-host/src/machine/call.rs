@@ -92,6 +92,8 @@ pub enum Priority {
     /// Its turn, and every answer that could be mistaken for its own.
     #[default]
     Normal,
+    /// Its turn, and the answers for which somebody waits. For what does no harm if it is repeated.
+    Serial,
     /// Its turn only.
     Ordered,
     /// Nothing: it is sent before everything else that waits.

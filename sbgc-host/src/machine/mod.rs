@@ -554,7 +554,7 @@ impl<W: Waiter> Machine<W> {
         while let Some((number, payload, stop)) = self.registrations.next_request(now) {
             let command = CommandId::DataStreamInterval.raw();
             let (timeout, attempts) = (self.setup.timeout, self.setup.attempts.max(1));
-            let priority = if stop { Priority::Ordered } else { Priority::Normal };
+            let priority = if stop { Priority::Ordered } else { Priority::Serial };
             // Asking twice for a stream updates it, so this may be repeated.
             let call = Call {
                 command,

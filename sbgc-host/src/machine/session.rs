@@ -317,9 +317,13 @@ impl<W> Session<W> {
         }
         let expected = &queued.call.expected;
         let first = !self.queued.iter().take(index).any(|earlier| earlier.call.expected.overlaps(expected));
-        first
-            && (queued.call.priority != Priority::Normal
-                || self.release(now, queued).is_none_or(|release| release <= now))
+        let awaited = |entry: &Sent<W>| entry.waiter.is_some() && entry.call.expected.overlaps(expected);
+        let free = match queued.call.priority {
+            Priority::Urgent | Priority::Ordered => true,
+            Priority::Serial => !self.sent.iter().any(awaited),
+            Priority::Normal => self.release(now, queued).is_none_or(|release| release <= now),
+        };
+        first && free
     }
 
     /// Until when commands on their way hold back a request; for ever as long as somebody waits for one of them.

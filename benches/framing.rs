@@ -42,9 +42,25 @@ fn decode(stream: &[u8], size: usize) -> usize {
     let (mut decoder, mut frames) = (Decoder::default(), 0);
     for mut chunk in stream.chunks(size) {
         while let Some(event) = decoder.next(&mut chunk) {
-            if let Event::Frame { frame, .. } = black_box(event) {
+            // By reference: a copy of the event would be measured too.
+            if let Event::Frame { frame, .. } = black_box(&event) {
                 frames += usize::from(frame.id > 0);
             }
+        }
+    }
+    frames
+}
+
+/// The same byte by byte, as an interrupt brings them.
+fn push(stream: &[u8]) -> usize {
+    let (mut decoder, mut frames) = (Decoder::default(), 0);
+    for &byte in stream {
+        let mut next = decoder.push(byte);
+        while let Some(event) = next {
+            if let Event::Frame { frame, .. } = black_box(&event) {
+                frames += usize::from(frame.id > 0);
+            }
+            next = decoder.more();
         }
     }
     frames
@@ -62,11 +78,22 @@ fn bench_decode(c: &mut Criterion) {
             let clean = stream(version, length, &[]);
             run(format!("{name}/{length}/whole"), &clean, STREAM);
             run(format!("{name}/{length}/packets"), &clean, PACKET);
+            for size in [1, 7, 4096] {
+                run(format!("{name}/{length}/chunks of {size}"), &clean, size);
+            }
         }
         // As many bytes of noise as of frame, among them start bytes.
         run(format!("{name}/134/noise"), &stream(version, 134, &payload(140)), STREAM);
         // Nearly every byte starts a candidate that is refused by its header.
         run(format!("{name}/3/starts"), &stream(version, 3, &[version.start_byte(); 100]), STREAM);
+    }
+    for (name, version) in VERSIONS {
+        for length in PAYLOADS {
+            let (stream, frames) = stream(version, length, &[]);
+            assert_eq!(push(&stream), frames, "{name}");
+            group.throughput(Throughput::Bytes(stream.len() as u64));
+            group.bench_function(format!("{name}/{length}/push"), |b| b.iter(|| push(black_box(&stream))));
+        }
     }
     group.finish();
 }

@@ -141,7 +141,7 @@ pub use message_info::MessageInfo;
 // Types of it stand in this crate's own signatures.
 pub use heapless;
 
-/// The examples of the project's front page.
+/// The examples of the crate's front page.
 #[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
+#[doc = include_str!("../README.md")]
 struct FrontPage;

@@ -41,6 +41,8 @@
 //! [`AsyncPort`](async_port::AsyncPort) put it on the halves of a UART.
 
 #![doc = ""]
+#![doc = include_str!("firmware.md")]
+#![doc = ""]
 #![doc = "# What the parts cost"]
 #![doc = "In bytes, less what a program takes that does nothing; fat LTO, abort on panic, all of them linked without a \
 path to a panic at both levels. `sbgc-proto/examples/cortex-m/sizes.sh` makes the table."]

@@ -13,7 +13,7 @@ fn main() -> ! {
         let mut event = decoder.push(receive());
         while let Some(found) = event {
             if let Event::Frame { frame, .. } = found
-                && let Ok((message, _)) = OutgoingCommand::of_frame(&frame)
+                && let Ok((message, _)) = OutgoingCommand::from_frame(&frame)
             {
                 core::hint::black_box(&message);
                 send(1);

@@ -73,7 +73,7 @@ async fn two_streams_at_once() {
 #[tokio::test(start_paused = true)]
 async fn what_the_board_does_not_know_is_refused_or_read() {
     let gimbal = gimbal().await;
-    match gimbal.exchange(&DebugVarsInfo3Request::default()).await {
+    match gimbal.exchange(&DebugVarsInfo3Request).await {
         Ok(answer) => drop(answer.get()),
         Err(error) => assert!(matches!(error, sbgc_host::Error::Refused { .. }), "{error}"),
     }

@@ -115,7 +115,7 @@ impl Plot {
         match picture {
             Picture::Svg => {
                 let mut svg = String::new();
-                draw(SVGBackend::with_string(&mut svg, self.size).into_drawing_area(), track, &panels, over)
+                draw(&SVGBackend::with_string(&mut svg, self.size).into_drawing_area(), track, &panels, over)
                     .map_err(failed)?;
                 replace(&self.output, svg.as_bytes())?;
             }
@@ -123,7 +123,7 @@ impl Plot {
                 // The backend knows the format by the name, so it gets a name of its own in the same place.
                 let new = sibling(&self.output);
                 let drawn =
-                    draw(BitMapBackend::new(&new, self.size).into_drawing_area(), track, &panels, over);
+                    draw(&BitMapBackend::new(&new, self.size).into_drawing_area(), track, &panels, over);
                 drawn.map_err(failed)?;
                 fs::rename(&new, &self.output).map_err(|source| file(&self.output, source))?;
             }
@@ -280,12 +280,12 @@ const COLORS: [RGBColor; 7] = [
 ];
 
 fn draw<B: DrawingBackend>(
-    area: DrawingArea<B, Shift>,
+    area: &DrawingArea<B, Shift>,
     track: &Track,
     panels: &[Vec<&Curve>],
     over: &str,
 ) -> Result<(), String> {
-    draw_all(&area, track, panels, over).map_err(|error| error.to_string())
+    draw_all(area, track, panels, over).map_err(|error| error.to_string())
 }
 
 fn draw_all<B: DrawingBackend>(

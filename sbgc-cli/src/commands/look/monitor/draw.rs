@@ -189,12 +189,13 @@ mod tests {
 
     fn text(buffer: &Buffer) -> String {
         let cells = buffer.content().chunks(usize::from(buffer.area.width));
-        let lines: Vec<String> = cells.map(|line| line.iter().map(|cell| cell.symbol()).collect()).collect();
+        let lines: Vec<String> =
+            cells.map(|line| line.iter().map(ratatui::buffer::Cell::symbol).collect()).collect();
         lines.join("\n")
     }
 
     fn view(colored: bool) -> View {
-        let mut view = View::new("sim".into(), &BoardInfo::default(), Version::V2, colored);
+        let mut view = View::new("sim", &BoardInfo::default(), Version::V2, colored);
         for step in 0_i16..20 {
             let pitch = Angle::from_degrees(-f32::from(step));
             let data = RealtimeData3 {

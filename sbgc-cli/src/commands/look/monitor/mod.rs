@@ -77,7 +77,7 @@ impl Monitor {
     async fn watch(&self, global: &Global, gimbal: &Gimbal, info: &BoardInfo) -> Result<(), Failure> {
         let mut sampling = Sampling::start(gimbal, StreamSource::RealtimeData3, self.interval).await?;
         let port = address(global)?.to_string();
-        let mut view = View::new(port, info, gimbal.version(), global.color.is_on(true));
+        let mut view = View::new(&port, info, gimbal.version(), global.color.is_on(true));
         let screen = Screen::open()?;
         let mut terminal = Terminal::new(CrosstermBackend::new(io::stdout()))?;
         let mut keys = keys();

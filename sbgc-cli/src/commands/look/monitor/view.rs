@@ -52,9 +52,9 @@ pub(super) struct View {
 pub(super) const NAMES: [&str; 3] = ["ROLL", "PITCH", "YAW"];
 
 impl View {
-    pub(super) fn new(port: String, info: &BoardInfo, version: Version, colored: bool) -> Self {
+    pub(super) fn new(port: &str, info: &BoardInfo, version: Version, colored: bool) -> Self {
         let (board, firmware, version) = (info.board_ver.number(), info.firmware_ver, version.number());
-        let port = text::escape(&port).into_owned();
+        let port = text::escape(port);
         Self {
             title: format!("{port}: board {board}, firmware {firmware}, version {version}"),
             colored,

@@ -20,7 +20,7 @@
 //! let mut link = Link::<64>::new(Settings::default());
 //! let mut clock = 0; // milliseconds, from any moment on
 //! link.request(&BoardInfoRequest {}, clock).unwrap();
-//! assert_eq!(link.output(), b"\x24\x56\x00\x56\xC1\x7E");
+//! assert_eq!(link.output(), b"\x24\x56\x00\x56\x74\x06");
 //! link.sent(6);
 //!
 //! clock += 3;

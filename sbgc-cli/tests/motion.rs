@@ -211,7 +211,7 @@ fn what_cannot_be_is_refused_before_anything_is_sent() {
         (&["control", "angle", "--yaw", "1", "--speed", "0"], "to 4000 deg/s"),
         (&["control", "angle", "--yaw", "1", "--patience", "3s"], "--wait"),
         (&["control", "speed", "--yaw", "inf"], "expected a speed"),
-        (&["control", "speed", "--yaw", "5000"], "-4000 to 4000"),
+        (&["control", "speed", "--yaw", "5000"], "-4000.122 to 4000"),
         (&["control", "speed", "--yaw", "5", "--for", "0"], "more than 0s"),
         (&["control", "rc", "--yaw", "501"], "-500 to 500"),
         (&["control", "rc", "--yaw", "NaN"], "-500 to 500"),

@@ -148,8 +148,8 @@ mod tests {
             press(&mut pilot, KeyCode::Right, at(time));
             assert_eq!(speeds(&pilot, at(time + 39))[YAW], Some(20.0));
         }
-        assert_eq!(speeds(&pilot, at(1480 + 190))[YAW], Some(20.0));
-        assert_eq!(speeds(&pilot, at(1480 + 210))[YAW], Some(0.0), "it is released");
+        assert_eq!(speeds(&pilot, at(1460 + 190))[YAW], Some(20.0));
+        assert_eq!(speeds(&pilot, at(1460 + 210))[YAW], Some(0.0), "it is released");
         // A terminal that reports releases.
         press(&mut pilot, KeyCode::Up, at(2000));
         let release = KeyEvent::new_with_kind(KeyCode::Up, KeyModifiers::NONE, KeyEventKind::Release);

@@ -2,7 +2,7 @@
 
 use sbgc_proto::commands::{EepromReadRequest, EepromWrite};
 
-use super::{PORTION, Progress};
+use super::{PORTION, Progress, patient};
 use crate::{Error, Gimbal, Result};
 
 /// The EEPROM is read and written in pages of this many bytes.
@@ -90,9 +90,11 @@ impl Gimbal {
     async fn eeprom_write_portion(&self, portion: &EepromWrite<'_>) -> Result<()> {
         let EepromWrite { addr: address, data } = *portion;
         let mut left = self.options().attempts.max(1);
+        let mut gimbal = self.clone();
         loop {
             left -= 1;
-            let outcome = self.confirm(portion).await;
+            let outcome = gimbal.confirm(portion).await;
+            gimbal = patient(self);
             if !matches!(outcome, Ok(_) | Err(Error::Timeout { .. })) {
                 return outcome.map(drop);
             }

@@ -7,7 +7,7 @@ use sbgc_proto::commands::{
 use sbgc_proto::units::PageOffset;
 use sbgc_proto::{CommandId, Message};
 
-use super::{PORTION, Progress};
+use super::{PORTION, Progress, patient};
 use crate::gimbal::{encode, name_of};
 use crate::{Error, Gimbal, Result};
 
@@ -102,9 +102,11 @@ impl Gimbal {
 
     async fn file_write_portion(&self, write: &WriteFile<'_>, at: usize) -> Result<()> {
         let mut left = self.options().attempts.max(1);
+        let mut gimbal = self.clone();
         loop {
             left -= 1;
-            let outcome = self.confirm(write).await;
+            let outcome = gimbal.confirm(write).await;
+            gimbal = patient(self);
             match outcome {
                 Ok(confirmed) => return done(CommandId::WriteFile, confirmed),
                 Err(Error::Timeout { .. }) => {}

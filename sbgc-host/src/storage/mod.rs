@@ -4,6 +4,8 @@
 //! whatever is written is read back and compared. A portion whose confirmation was lost is looked at before it is
 //! written again.
 
+use crate::Gimbal;
+
 mod eeprom;
 mod files;
 mod i2c;
@@ -21,3 +23,9 @@ const PORTION: usize = 192;
 pub trait Progress: FnMut(usize, usize) {}
 
 impl<F: FnMut(usize, usize)> Progress for F {}
+
+/// A handle for writing again: until the late confirmation of the first write can no longer be taken for that of the
+/// second, the second is held back, and its time runs.
+fn patient(gimbal: &Gimbal) -> Gimbal {
+    gimbal.with_timeout(gimbal.options().timeout.saturating_mul(4))
+}

@@ -142,3 +142,149 @@ async fn first<T>(work: impl Future<Output = T>, limit: impl Future<Output = ()>
     })
     .await
 }
+
+#[cfg(test)]
+mod tests {
+    use core::cell::Cell;
+    use core::convert::Infallible;
+    use core::task::{Context, Waker};
+    use std::collections::VecDeque;
+    use std::rc::Rc;
+
+    use super::*;
+    use crate::commands::{Angles, BoardInfo, BoardInfoRequest, GetAngles};
+    use crate::frame::{MAX_FRAME, Version, encode_into};
+    use crate::link::Settings;
+
+    /// A line that hands over a few bytes on every second look.
+    struct Line {
+        bytes: VecDeque<u8>,
+        turn: bool,
+    }
+
+    impl embedded_io_async::ErrorType for Line {
+        type Error = Infallible;
+    }
+
+    impl Read for Line {
+        async fn read(&mut self, out: &mut [u8]) -> Result<usize, Infallible> {
+            poll_fn(|_| {
+                self.turn = !self.turn;
+                if self.turn || self.bytes.is_empty() { Poll::Pending } else { Poll::Ready(()) }
+            })
+            .await;
+            let count = out.len().min(self.bytes.len()).min(5);
+            for place in &mut out[..count] {
+                *place = self.bytes.pop_front().unwrap();
+            }
+            Ok(count)
+        }
+    }
+
+    /// Takes one byte on every second look.
+    struct Sent(Rc<Cell<Vec<u8>>>, bool);
+
+    impl embedded_io_async::ErrorType for Sent {
+        type Error = Infallible;
+    }
+
+    impl Write for Sent {
+        async fn write(&mut self, bytes: &[u8]) -> Result<usize, Infallible> {
+            poll_fn(|_| {
+                self.1 = !self.1;
+                if self.1 { Poll::Pending } else { Poll::Ready(()) }
+            })
+            .await;
+            let mut all = self.0.take();
+            all.push(bytes[0]);
+            self.0.set(all);
+            Ok(1)
+        }
+
+        async fn flush(&mut self) -> Result<(), Infallible> {
+            Ok(())
+        }
+    }
+
+    /// Each look at it takes a millisecond while somebody waits.
+    struct Turns(Millis);
+
+    impl Clock for Turns {
+        fn now(&mut self) -> Millis {
+            self.0
+        }
+
+        async fn wait_until(&mut self, moment: Millis) {
+            poll_fn(|_| {
+                self.0 += 1;
+                if self.0 >= moment { Poll::Ready(()) } else { Poll::Pending }
+            })
+            .await;
+        }
+    }
+
+    type Sending = Rc<Cell<Vec<u8>>>;
+
+    fn port(frames: &[(crate::CommandId, &[u8])]) -> (AsyncPort<Line, Sent, Turns, 64>, Sending) {
+        let mut bytes = VecDeque::from(vec![0x24, 0x20, 0xC8, 0xE8]);
+        for (id, payload) in frames {
+            bytes.extend(encode_into(Version::V2, id.raw(), payload, &mut [0; MAX_FRAME]).unwrap());
+        }
+        let sending = Sending::default();
+        let receive = Line { bytes, turn: false };
+        let link = Link::new(Settings { attempts: 1, ..Settings::DEFAULT });
+        (AsyncPort::new(link, receive, Sent(Rc::clone(&sending), false), Turns(0)), sending)
+    }
+
+    /// Polls at most so often; `None` if it was not done by then and is dropped.
+    fn run<T>(work: impl Future<Output = T>, polls: usize) -> Option<T> {
+        let (mut work, mut context) = (pin!(work), Context::from_waker(Waker::noop()));
+        (0..polls).find_map(|_| match work.as_mut().poll(&mut context) {
+            Poll::Ready(value) => Some(value),
+            Poll::Pending => None,
+        })
+    }
+
+    #[test]
+    fn a_request_is_answered_behind_noise_and_other_messages() {
+        let (mut port, sending) = port(&[(Angles::ID, &[7; 18]), (BoardInfo::ID, &[36; 18])]);
+        let mut others = Vec::new();
+        let request =
+            port.request(&BoardInfoRequest {}, |info| info.board_ver.number(), |frame| others.push(frame.id));
+        assert_eq!(run(request, 1000), Some(Ok(3.6)));
+        assert_eq!(others, [Angles::ID.raw()]);
+        assert_eq!(sending.take(), [0x24, 0x56, 0x00, 0x56, 0x74, 0x06]);
+    }
+
+    #[test]
+    fn silence_ends_a_request() {
+        let (mut port, _) = port(&[]);
+        let request = port.request(&GetAngles {}, |_| (), |_| {});
+        assert_eq!(run(request, 1000), Some(Err(PortError::TimedOut)));
+    }
+
+    #[test]
+    fn futures_that_are_dropped_anywhere_lose_nothing() {
+        for polls in 1..20 {
+            let frames: [(_, &[u8]); 3] =
+                [(Angles::ID, &[1; 18]), (BoardInfo::ID, &[36; 18]), (Angles::ID, &[2; 18])];
+            let (mut port, sending) = port(&frames);
+            port.link().request(&BoardInfoRequest {}, 0).unwrap();
+            let mut seen = Vec::new();
+            for _ in 0..1000 {
+                if let Some(update) = run(port.next(), polls)
+                    && !matches!(update, Ok(Update::Noise(_)))
+                {
+                    seen.push((update.unwrap(), port.frame().payload.to_vec()));
+                }
+            }
+            let expected = [
+                (Update::Message, vec![1; 18]),
+                (Update::Answer, vec![36; 18]),
+                (Update::Message, vec![2; 18]),
+            ];
+            assert_eq!(seen, expected, "dropped after {polls} polls");
+            assert_eq!(sending.take(), [0x24, 0x56, 0x00, 0x56, 0x74, 0x06]);
+        }
+    }
+}

@@ -1,10 +1,11 @@
-//! The I2C bus: an EEPROM at 0x50 on the internal port and an inertial sensor at 0x68 on the external one.
+//! The I2C bus: an EEPROM at 0x50 and an inertial sensor at 0x68. Both ports lead to it, since boards differ in what
+//! stands on which.
 //!
 //! Real: the sensor has the register file of the usual sensors of this kind: its identity in register 0x75, 14 bytes of
 //! measurements from 0x3B on. The EEPROM is that of the board, 256 bytes of which a register address of one byte
 //! reaches.
 
-use sbgc_proto::commands::{I2cDevice, I2cPort};
+use sbgc_proto::commands::I2cDevice;
 
 use super::eeprom::Eeprom;
 
@@ -52,9 +53,9 @@ impl Bus {
         length: u8,
     ) -> Option<Vec<u8>> {
         let start = usize::from(register);
-        let memory = match (device.port(), device.address()) {
-            (I2cPort::Internal, EEPROM) => eeprom.read(0, 256)?,
-            (I2cPort::External, SENSOR) if sensor => self.sensor.as_slice(),
+        let memory = match device.address() {
+            EEPROM => eeprom.read(0, 256)?,
+            SENSOR if sensor => self.sensor.as_slice(),
             _ => return None,
         };
         // Addresses start again after the last one.
@@ -70,14 +71,14 @@ impl Bus {
         register: u8,
         data: &[u8],
     ) -> bool {
-        match (device.port(), device.address()) {
-            (I2cPort::Internal, EEPROM) => {
+        match device.address() {
+            EEPROM => {
                 for (offset, byte) in data.iter().enumerate() {
                     eeprom.write((usize::from(register) + offset) % 256, &[*byte]);
                 }
                 true
             }
-            (I2cPort::External, SENSOR) if sensor => {
+            SENSOR if sensor => {
                 for (place, byte) in self.sensor.iter_mut().skip(register.into()).zip(data) {
                     *place = *byte;
                 }

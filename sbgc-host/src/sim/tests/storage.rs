@@ -121,6 +121,7 @@ fn two_devices_are_on_the_bus() {
     let got = bench.ask_one(&read(I2cPort::External, 0x68, 0x19, 2));
     assert_eq!(got.decoded::<I2cReadRegBuf<'_>>().data, [7, 8]);
     assert_eq!(bench.ask_one(&read(I2cPort::Internal, 0x50, 0, 4)).payload, *b"SBG1");
+    assert_eq!(bench.ask_one(&read(I2cPort::External, 0x50, 0, 4)).payload, *b"SBG1");
     assert_eq!(bench.ask_one(&read(I2cPort::Internal, 0x51, 0, 4)).payload[..2], [40, 10]);
 }
 

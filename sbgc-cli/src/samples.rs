@@ -127,7 +127,7 @@ impl Entry {
         }
     }
 
-    /// The value in CSV: numbers alone, also of what has names; nothing for what is not a number.
+    /// The value in CSV: numbers alone, also for what has names; nothing for NaN.
     fn plain(&self) -> String {
         match (&self.value, self.raw) {
             (Value::Number(number), _) => number.to_string(),

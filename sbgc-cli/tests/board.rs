@@ -149,7 +149,7 @@ fn frames_nobody_asked_for(port: &str) -> String {
     counters.to_owned()
 }
 
-/// Starts a stream of many samples a second and hands over the program and its output once the first came.
+/// Starts a stream of many samples per second and hands over the program and its output once the first came.
 fn streaming(port: &str) -> (std::process::Child, impl std::io::BufRead + use<>) {
     use std::io::BufRead as _;
 

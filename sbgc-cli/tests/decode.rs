@@ -212,7 +212,7 @@ fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect::<Vec<_>>().concat()
 }
 
-/// The line of a log that tells how to read the payload of `example`.
+/// The line of a log that says how to read the payload of `example`.
 fn what_came_before(example: &Value) -> String {
     let context = &example["context"];
     if let Some(flags) = context["request_flags"].as_u64() {

@@ -63,7 +63,7 @@ pub struct Tried {
 ///
 /// Serial lines are tried with all bit rates and parities that boards know, likeliest first, unless they are chosen.
 /// Each is asked in version 1 first, because a board that has once seen version 2 takes nothing else until it
-/// restarts. `tried` is told of every combination.
+/// restarts. `tried` is called for every combination.
 ///
 /// # Errors
 /// If the port cannot be opened, or no board answers.

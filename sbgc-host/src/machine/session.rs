@@ -124,7 +124,7 @@ pub(super) struct Session<W> {
 }
 
 impl<W> Session<W> {
-    /// An empty table. `is_gone` tells whether nobody waits any more.
+    /// An empty table. `is_gone` reports whether nobody waits any more.
     pub(super) fn new(is_gone: fn(&W) -> bool) -> Self {
         Self {
             queued: VecDeque::new(),

@@ -52,7 +52,7 @@ pub(super) enum Kind {
 pub(super) struct Procedure {
     /// The command that started it.
     pub(super) command: CommandId,
-    /// The port that is told of its progress and its end.
+    /// The port that receives its progress and its end.
     pub(super) port: u8,
     pub(super) kind: Kind,
     pub(super) mode: CalibMode,

@@ -40,7 +40,7 @@ pub(super) enum Command {
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Script {
     pub(super) slot: u8,
-    /// The port that is told of each command, and whether it wants to be.
+    /// The port that receives each command, and whether it asked for that.
     pub(super) port: u8,
     pub(super) traced: bool,
     commands: Vec<Option<Command>>,

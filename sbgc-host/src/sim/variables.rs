@@ -150,7 +150,7 @@ pub(super) fn homes(variable: Var) -> &'static [Home] {
     }
 }
 
-/// The least and the greatest value of a variable; `None` for one that is not known.
+/// The minimum and the maximum of a variable; `None` for one that is not known.
 pub(super) fn range(variable: Var) -> Option<(f64, f64)> {
     let facts = variable.facts()?;
     let (least, most) = facts.range.unwrap_or(match variable {

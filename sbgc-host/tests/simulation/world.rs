@@ -271,7 +271,7 @@ impl World {
             let mut outgoing = std::mem::take(&mut self.outgoing);
             while let Some(event) = outgoing.next(&mut rest) {
                 let Event::Frame { frame, .. } = event else {
-                    panic!("what was sent is no frame: {event:?}")
+                    panic!("what was sent is not a frame: {event:?}")
                 };
                 self.on_written(frame.id, frame.payload);
             }

@@ -99,7 +99,7 @@ impl Decoder {
     /// The next event, or `None` once `input` is used up.
     ///
     /// Moves `input` on past what was used: after an event the caller may stop, and goes on later with what
-    /// `input` then holds. With an empty `input` it tells what can be told without more bytes.
+    /// `input` then holds. With an empty `input` it reports what is known without more bytes.
     ///
     /// ```
     /// use sbgc_proto::frame::{Decoder, Event, Versions};
@@ -244,7 +244,7 @@ impl Decoder {
         Event::Skipped(self.tally.skip(used, cause))
     }
 
-    /// The next event at the end of the stream, or `None` once all bytes are told of.
+    /// The next event at the end of the stream, or `None` once all bytes are accounted for.
     ///
     /// A frame without its end is skipped as [`Cause::Truncated`], one start byte a time, so that the frames
     /// that hide behind a false start byte come out. The decoder can be used on: offsets and counters go on.

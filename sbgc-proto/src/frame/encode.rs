@@ -10,7 +10,7 @@ use super::{HEADER, MAX_PAYLOAD, Version};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EncodeFrameError {
-    /// Id 0 is no command; a receiver would refuse the frame.
+    /// Id 0 is not a command; a receiver would refuse the frame.
     ZeroId,
     /// The payload is longer than [`MAX_PAYLOAD`].
     PayloadTooLong {
@@ -29,7 +29,7 @@ pub enum EncodeFrameError {
 impl fmt::Display for EncodeFrameError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
-            Self::ZeroId => f.write_str("id 0 is no command; ids are 1 to 255"),
+            Self::ZeroId => f.write_str("invalid command id 0; ids range from 1 to 255"),
             Self::PayloadTooLong { length } => {
                 write!(f, "a payload of {length} bytes does not fit a frame, which takes {MAX_PAYLOAD}")
             }
@@ -267,7 +267,7 @@ mod tests {
             EncodeFrameError::BufferTooSmall { needed: 7, got: 6 },
         ]
         .map(|error| error.to_string());
-        assert_eq!(texts[0], "id 0 is no command; ids are 1 to 255");
+        assert_eq!(texts[0], "invalid command id 0; ids range from 1 to 255");
         assert_eq!(texts[1], "a payload of 256 bytes does not fit a frame, which takes 255");
         assert_eq!(texts[2], "a frame of 7 bytes does not fit the 6 bytes left for it");
     }

@@ -69,7 +69,7 @@ pub enum Scan<'a> {
 /// Judges what stands at the start of `buf`.
 ///
 /// A candidate is refused as early as possible: for an id of 0 once 2 bytes are there, for its header
-/// checksum once 4 are. Id 0 is no command, and all checks of a run of zeros are zero, so zero-filled payload
+/// checksum once 4 are. Id 0 is not a command, and all checks of a run of zeros are zero, so zero-filled payload
 /// bytes after a start byte would pass for a frame. A refused candidate costs only its start byte, because
 /// an intact frame may start at any byte after it. Bytes before the next start byte are skipped as one run.
 ///

@@ -63,7 +63,7 @@ pub enum Shape {
     Number(Number),
     /// Bytes; `least` and `most` are the same where their number is fixed.
     Bytes {
-        /// The fewest.
+        /// The minimum.
         least: usize,
         /// The most.
         most: usize,

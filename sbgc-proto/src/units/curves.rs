@@ -53,7 +53,7 @@ macro_rules! curves {
                 }
 
                 #[doc = concat!("The raw number whose [`", stringify!($get), "`](Self::", stringify!($get),
-                    ") is nearest to `value`; 0 for what is not a number.")]
+                    ") is nearest to `value`; 0 for NaN.")]
                 pub fn $from(value: f32) -> Self {
                     let curve: fn(u8) -> f64 = $curve;
                     let value = f64::from(value);

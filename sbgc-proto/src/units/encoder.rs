@@ -25,7 +25,7 @@ impl EncoderAngle {
         f64::from(self.0.get()) * 360.0 / f64::from(Self::STEPS)
     }
 
-    /// The nearest raw number for an angle in deg, of any number of turns; 0 for what is not a number.
+    /// The nearest raw number for an angle in deg, of any number of turns; 0 for NaN.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within a turn")]
     pub fn from_degrees(value: f64) -> Self {
         let turn = value % 360.0;

@@ -2,7 +2,7 @@
 //!
 //! Each holds the raw number, which stays reachable as field `0`, and converts to and from the physical value. From a
 //! value, `from_…` goes to the nearest raw number and stops at the ends of the wire's range; `try_from_…` refuses what
-//! is beyond them, and what is not a number.
+//! is beyond them, and NaN.
 //!
 //! ```
 //! use sbgc_proto::units::Angle;

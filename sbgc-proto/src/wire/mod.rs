@@ -36,7 +36,7 @@ use crate::EncodeError;
 
 /// How many bytes a value takes on the wire.
 pub trait Layout: Sized {
-    /// The fewest bytes.
+    /// The minimum number of bytes.
     const MIN_LEN: usize;
     /// The most bytes.
     const MAX_LEN: usize;

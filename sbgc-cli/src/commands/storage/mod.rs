@@ -30,7 +30,7 @@ impl Command {
     }
 }
 
-/// Hex digits as `hexdump` shows them: sixteen bytes a line after their address.
+/// Hex digits as `hexdump` shows them: sixteen bytes per line, after their address.
 fn dump(output: &mut Output, address: u32, data: &[u8]) -> std::io::Result<()> {
     for (line, bytes) in data.chunks(16).enumerate() {
         let at = u64::from(address) + line as u64 * 16;

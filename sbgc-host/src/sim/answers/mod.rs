@@ -39,7 +39,7 @@ pub(super) use system::is_left_out;
 
 type Answer = fn(&mut Machine, &Call<'_>, &OutgoingCommand<'_>) -> Option<Replies>;
 
-/// What the board does by itself, with the port that is told of it.
+/// What the board does by itself, with the port that receives it.
 type Poll = fn(&mut Machine, Duration, &mut Vec<(u8, Reply)>);
 
 const ANSWERS: &[Answer] = &[

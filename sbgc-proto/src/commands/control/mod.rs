@@ -51,7 +51,7 @@ pub struct ControlLegacy {
 /// control.axes.yaw = ControlAxis::angle(Angle::from_degrees(45.0));
 /// assert_eq!(control.encode(&mut [0; 15])?, [0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 8]);
 ///
-/// // All axes to an angle, at 20 degrees a second.
+/// // All axes to an angle, at 20 degrees per second.
 /// let angles = PerAxis { roll: 0.0, pitch: -30.0, yaw: 90.0 }.map(Angle::from_degrees);
 /// let control = Control::angles(angles, ControlRate::from_degrees_per_second(20.0)).with_auto_task();
 /// assert!(control.control_mode.pitch.auto_task());

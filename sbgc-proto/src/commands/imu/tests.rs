@@ -132,7 +132,7 @@ fn external_sensors_report() {
     let message = ExtImuDebugInfo::decode(&payload).unwrap();
     assert_eq!(message.ahrs_debug_info.ext_imu_packets_received_cnt, 0x0807);
     assert_eq!((message.dcm[1], message.dcm[8]), (Float::from(-1.0), Float::from(1.0)));
-    assert_eq!(message.acc_body.x, Float::from_bits(0x7FC0_0001), "what is not a number keeps its bits");
+    assert_eq!(message.acc_body.x, Float::from_bits(0x7FC0_0001), "NaN keeps its bits");
     assert_eq!(message.acc_body.z, Float::from(9.8));
     is(&message, &payload);
     assert!(ExtImuDebugInfo::decode(&payload[..73]).is_err());

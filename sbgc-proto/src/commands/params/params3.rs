@@ -160,7 +160,7 @@ pub struct Params3 {
     pub frame_angle_from_motors: Switch,
     /// The angle that each axis takes at start.
     ///
-    /// The specification prints -36767 as the least, which two bytes cannot hold; -32767 is meant.
+    /// The specification prints -36767 as the minimum, which two bytes cannot hold; -32767 is meant.
     #[wire(range = -32767..=32767)]
     pub rc_memory: PerAxis<Angle>,
     /// Virtual channel that is put out on servo output 1, from 1 on; 0 for none.

@@ -52,7 +52,7 @@ pub struct BodeTestStartStop {
 
 /// Samples of a Bode test that is running.
 ///
-/// They come unsolicited. Samples are raw numbers between the least and the maximum value that the message
+/// They come unsolicited. Samples are raw numbers between the minimum and the maximum value that the message
 /// names; [`values`](Self::values) gives what they stand for.
 #[message(CMD_BODE_TEST_DATA, incoming, size = 17..=97)]
 pub struct BodeTestData {

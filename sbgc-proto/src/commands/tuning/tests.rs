@@ -44,7 +44,7 @@ fn first_version_tells_its_progress() {
     assert_eq!(message.iteration_cnt, 10000);
     let errors = message.axes.map(|axis| axis.tracking_error);
     assert_eq!((errors.roll, errors.yaw), (Float::from(1.5), Float::from(-2.0)));
-    assert_eq!(errors.pitch, Float::from_bits(0xFFC0_0001), "what is not a number keeps its bits");
+    assert_eq!(errors.pitch, Float::from_bits(0xFFC0_0001), "NaN keeps its bits");
     is(&message, &payload);
     assert_eq!(
         AutoPid::decode(&payload[..56]),

@@ -1,6 +1,6 @@
 //! What the keys make of the speeds.
 //!
-//! A terminal tells of a key that is held only by repeating it, so an axis goes on for as long as the next repetition
+//! A terminal reports a key that is held only by repeating it, so an axis goes on for as long as the next repetition
 //! may take: longer after the first press, since repetition sets in late. Where the terminal reports releases, they
 //! count at once.
 

@@ -2,7 +2,8 @@
 //! time, with everything that happens drawn from one seed.
 //!
 //! `SBGC_SIM_SECONDS` is how long fresh seeds are tried (2 seconds unless given), `SBGC_SIM_SEED` tries a single one.
-//! A failure prints its seed; it then belongs into [`SEEDS`].
+//! A failure prints its seed; it then belongs into [`SEEDS`]. Not judged is whether the board's input buffer overflows:
+//! with the seeds 14765569875598100889 and 1783543113547420873 it does, for a reason that is not known yet.
 #![cfg(feature = "sim")]
 
 mod line;

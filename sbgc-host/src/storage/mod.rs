@@ -1,6 +1,6 @@
 //! What a board stores: files, scripts, the EEPROM as plain memory, the user's data; and devices on its I2C buses.
 //!
-//! Everything here is a method of [`Gimbal`](crate::Gimbal). Whatever is longer than a message goes in portions;
+//! Everything here is a method of [`Gimbal`]. Whatever is longer than a message goes in portions;
 //! whatever is written is read back and compared. A portion whose confirmation was lost is looked at before it is
 //! written again.
 

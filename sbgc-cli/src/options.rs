@@ -16,7 +16,7 @@ use crate::{text, values};
 /// The shared options as they are typed. `sbgc --help` explains them; other help names them in one line.
 #[derive(Args, Debug)]
 pub(crate) struct Common {
-    /// Serial device, tcp:// or udp://HOST:PORT, sim[:FILE]
+    /// Device, tcp:// or udp://HOST:PORT, sim, sim:FILE
     #[arg(long, short, global = true, hide = true, value_name = "PORT", add = ArgValueCandidates::new(port_candidates))]
     port: Option<String>,
 

@@ -575,6 +575,10 @@ impl<W: Waiter> Machine<W> {
     /// They may be others the next time: what the port has not taken is put together anew, so that it is the newest.
     pub fn pending(&mut self, now: Duration) -> &[u8] {
         self.advance(now);
+        // The rest of a batch that the port had begun with may have been taken back.
+        if let Some(length) = self.batch.finish() {
+            self.pacer.end(now, length);
+        }
         if now >= self.pacer.not_before() {
             let begins = self.batch.is_empty();
             self.fill(now);

@@ -7,7 +7,8 @@ cd "$(dirname "$0")"
 root=$(cd ../../.. && pwd)
 sbgc=${1:-}
 if [ -z "$sbgc" ]; then
-  cargo build --quiet --locked --manifest-path "$root/Cargo.toml" -p sbgc-cli
+  # From the root: here the settings of cargo name a microcontroller as the target.
+  (cd "$root" && cargo build --quiet --locked -p sbgc-cli)
   sbgc=$root/target/debug/sbgc
 fi
 work=$(mktemp -d)

@@ -2,8 +2,9 @@
 
 use clap::Args;
 use sbgc_host::Error;
-use sbgc_host::transport::{Address, ports};
+use sbgc_host::transport::{Address, Line, Parity, ports};
 use serde_json::json;
+use tokio::sync::mpsc::{self, UnboundedSender};
 use tokio::task::JoinSet;
 
 use super::probe::{Found, Scope, parity_name};
@@ -18,16 +19,24 @@ const EXAMPLES: &str = "Examples:
 
 /// Try all ports, rates, parities and protocol versions
 ///
-/// Options narrow what is tried: --port, --baud, --parity, --protocol, --timeout. Ends with 0 when a board was found, else
-/// with 3.
+/// Prints every combination that a board answers, and why a port has none. A board on USB may answer at every rate.
+/// Options narrow what is tried: --port, --baud, --parity, --protocol, --timeout. Ends with 0 when a board was found,
+/// else with 3.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Detect {}
 
-/// What was found out about a port.
+/// Something found out about a port.
 struct Tried {
     port: String,
-    outcome: Result<Found, String>,
+    outcome: Outcome,
+}
+
+enum Outcome {
+    /// A combination that a board answered, and whether it is the first of the port.
+    Answered(Box<Found>, bool),
+    /// Why no combination was answered.
+    Nothing(String),
 }
 
 impl Detect {
@@ -40,26 +49,27 @@ impl Detect {
             None => ports().into_iter().map(|port| Address::Serial(port.name)).collect::<Vec<_>>(),
         };
         let scope = Scope::of(global);
+        let (report, mut reports) = mpsc::unbounded_channel();
         let mut all = JoinSet::new();
         for address in addresses {
-            all.spawn(try_port(address, scope.clone()));
+            all.spawn(try_port(address, scope.clone(), report.clone()));
         }
-        let mut found = 0;
+        drop(report);
+        let mut found = false;
         loop {
             let tried = tokio::select! {
                 biased;
                 signal = signals::stopped() => return Err(Failure::Signal(signal)),
-                tried = all.join_next() => match tried {
-                    Some(Ok(tried)) => tried,
-                    Some(Err(error)) => return Err(Failure::Failed(error.to_string())),
+                tried = reports.recv() => match tried {
+                    Some(tried) => tried,
                     None => break,
                 },
             };
-            found += usize::from(tried.outcome.is_ok());
+            found |= matches!(tried.outcome, Outcome::Answered(..));
             tried.print(output)?;
             output.flush()?;
         }
-        if found == 0 {
+        if !found {
             let hint = "`sbgc doctor` looks for the cause";
             return Err(Failure::NotFound(format!("no board found; {hint}")));
         }
@@ -67,31 +77,89 @@ impl Detect {
     }
 }
 
-async fn try_port(address: Address, scope: Scope) -> Tried {
-    let port = address.to_string();
-    let (mut silent, mut noisy) = (Vec::new(), Vec::new());
+/// Tries all combinations of a port and reports those that are answered, or why none is.
+async fn try_port(address: Address, scope: Scope, report: UnboundedSender<Tried>) {
+    let say = |outcome| {
+        // Nobody listens any more once the program is to stop.
+        let _ = report.send(Tried { port: address.to_string(), outcome });
+    };
+    let mut silence = Silence::default();
+    let mut answered = false;
     for line in scope.lines(&address) {
         match scope.probe(&address, line).await {
-            Ok(found) => return Tried { port, outcome: Ok(found) },
-            Err((Error::Timeout { .. }, counters)) => {
-                let place = format!("{} baud, parity {}", line.baud, parity_name(line.parity));
-                let bytes = counters.received.skipped();
-                if bytes > 0 {
-                    noisy.push(format!("{bytes} bytes that are not frames at {place}"));
-                } else if !silent.contains(&line.baud) {
-                    silent.push(line.baud);
-                }
+            Ok(found) => {
+                say(Outcome::Answered(Box::new(found), !answered));
+                answered = true;
             }
-            Err((error, _)) => return Tried { port, outcome: Err(error.to_string()) },
+            Err((Error::Timeout { .. }, counters)) => silence.note(line, counters.received.skipped()),
+            // It cannot be opened, so other rates are of no help.
+            Err((error, _)) => {
+                if !answered {
+                    say(Outcome::Nothing(error.to_string()));
+                }
+                return;
+            }
         }
     }
-    let rates: Vec<_> = silent.iter().map(ToString::to_string).collect();
-    let reason = match (&address, noisy.is_empty()) {
-        (_, false) => format!("received {}", noisy.join("; ")),
-        (Address::Serial(_), _) => format!("no answer at {} baud", rates.join(", ")),
-        _ => String::from("no answer"),
-    };
-    Tried { port, outcome: Err(reason) }
+    if !answered {
+        say(Outcome::Nothing(silence.reason(&address, &scope)));
+    }
+}
+
+/// What was tried in vain.
+#[derive(Default)]
+struct Silence {
+    lines: Vec<Line>,
+    noise: Vec<String>,
+}
+
+impl Silence {
+    fn note(&mut self, line: Line, skipped: u64) {
+        if skipped > 0 {
+            self.noise.push(format!("{skipped} bytes that are not frames at {}", line_text(line)));
+        } else {
+            self.lines.push(line);
+        }
+    }
+
+    fn reason(&self, address: &Address, scope: &Scope) -> String {
+        let tried = scope.versions();
+        let mut reasons = Vec::new();
+        if !self.noise.is_empty() {
+            reasons.push(format!("received {}", self.noise.join("; ")));
+        }
+        if !matches!(address, Address::Serial(_)) && !self.lines.is_empty() {
+            reasons.push(format!("no answer (tried {tried})"));
+        } else if !self.lines.is_empty() {
+            let mut by_parity: Vec<(Parity, Vec<String>)> = Vec::new();
+            for line in &self.lines {
+                match by_parity.iter_mut().find(|(parity, _)| *parity == line.parity) {
+                    Some((_, rates)) => rates.push(line.baud.to_string()),
+                    None => by_parity.push((line.parity, vec![line.baud.to_string()])),
+                }
+            }
+            // Mostly the same rates were tried with each parity.
+            let places = match by_parity.as_slice() {
+                [(one, rates), (other, same)] if rates == same => {
+                    let (one, other) = (parity_name(*one), parity_name(*other));
+                    format!("{} baud, parity {one} and {other}", rates.join(", "))
+                }
+                several => {
+                    let place = |(parity, rates): &(Parity, Vec<String>)| {
+                        format!("{} baud, parity {}", rates.join(", "), parity_name(*parity))
+                    };
+                    several.iter().map(place).collect::<Vec<_>>().join("; ")
+                }
+            };
+            reasons.push(format!("no answer at {places} (tried {tried})"));
+        }
+        reasons.join("; ")
+    }
+}
+
+/// A serial line in words.
+fn line_text(line: Line) -> String {
+    format!("{} baud, parity {}", line.baud, parity_name(line.parity))
 }
 
 impl Tried {
@@ -99,7 +167,7 @@ impl Tried {
         let port = &self.port;
         if output.is_json() {
             output.object(&match &self.outcome {
-                Ok(found) => json!({
+                Outcome::Answered(found, _) => json!({
                     "port": port,
                     "baud": found.line.map(|line| line.baud),
                     "parity": found.line.map(|line| parity_name(line.parity)),
@@ -108,7 +176,7 @@ impl Tried {
                     "firmware": found.info.firmware_ver.to_string(),
                     "reason": null,
                 }),
-                Err(reason) => json!({
+                Outcome::Nothing(reason) => json!({
                     "port": port, "baud": null, "parity": null, "protocol": null,
                     "found": false, "firmware": null, "reason": reason,
                 }),
@@ -117,15 +185,17 @@ impl Tried {
         }
         let port = text::escape(port);
         output.line(match &self.outcome {
-            Ok(found) => {
-                let line = found.line.map_or_else(String::new, |line| {
-                    format!(" at {} baud, parity {}", line.baud, parity_name(line.parity))
-                });
-                let (board, firmware) = (found.info.board_ver.number(), found.info.firmware_ver);
+            Outcome::Answered(found, first) => {
+                let line = found.line.map_or_else(String::new, |line| format!(" at {}", line_text(line)));
                 let version = found.version.number();
-                format!("{port}: board {board}, firmware {firmware}{line}, protocol version {version}")
+                if *first {
+                    let (board, firmware) = (found.info.board_ver.number(), found.info.firmware_ver);
+                    format!("{port}: board {board:.1}, firmware {firmware}{line}, protocol version {version}")
+                } else {
+                    format!("{port}: also{line}, protocol version {version}")
+                }
             }
-            Err(reason) => format!("{port}: {}", text::escape_lines(reason)),
+            Outcome::Nothing(reason) => format!("{port}: {}", text::escape_lines(reason)),
         })?;
         Ok(())
     }

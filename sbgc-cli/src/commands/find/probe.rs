@@ -64,6 +64,15 @@ impl Scope {
         self.parities.iter().flat_map(of_parity).collect()
     }
 
+    /// The versions of the protocol that are tried, in words.
+    pub(super) fn versions(&self) -> &'static str {
+        match self.version {
+            VersionChoice::Auto => "versions 2 and 1",
+            VersionChoice::Only(Version::V1) => "version 1",
+            VersionChoice::Only(Version::V2) => "version 2",
+        }
+    }
+
     /// Tries one combination.
     pub(super) async fn probe(&self, address: &Address, line: Line) -> Result<Found, (Error, LinkCounters)> {
         let io = address.open(line).await.map_err(|error| (error, LinkCounters::default()))?;

@@ -74,5 +74,8 @@ pub use serve::{SharedBoard, in_process, simulate, simulate_with_state};
 pub use state::StateFile;
 pub use tcp::{serve_shared_tcp, serve_tcp};
 
+/// The device id of every simulated board, by which programs can tell that a board is one.
+pub const DEVICE_ID: [u8; 9] = *b"SIMULATED";
+
 #[cfg(test)]
 mod tests;

@@ -27,18 +27,25 @@ pub(super) enum Own {
 impl Document {
     /// Reads a file and checks it.
     pub(super) fn read(path: &Path, include: &[Include]) -> Result<Self, Failure> {
-        let text = fs::read_to_string(path)
-            .map_err(|source| Failure::File { place: path.display().to_string(), source })?;
+        let place = path.display().to_string();
+        match fs::read_to_string(path) {
+            Ok(text) => Self::parse(&text, &place, include),
+            Err(source) => Err(Failure::File { place, source }),
+        }
+    }
+
+    /// Checks the text of a file that is found at `place`.
+    pub(super) fn parse(text: &str, place: &str, include: &[Include]) -> Result<Self, Failure> {
         let wrong = |line: Option<usize>, problem: String| {
             let line = line.map_or_else(String::new, |line| format!(":{line}"));
-            Failure::Usage(format!("{}{line}: {problem}", path.display()))
+            Failure::Usage(format!("{place}{line}: {problem}"))
         };
-        if GuiFile::is_meant(&text) {
-            let file = GuiFile::parse(&text).map_err(|error| wrong(error.line, error.problem.to_string()))?;
+        if GuiFile::is_meant(text) {
+            let file = GuiFile::parse(text).map_err(|error| wrong(error.line, error.problem.to_string()))?;
             return Ok(Self::Gui(Box::new(file), include.to_vec()));
         }
         let file =
-            ParameterFile::parse(&text).map_err(|error| wrong(error.line, error.problem.to_string()))?;
+            ParameterFile::parse(text).map_err(|error| wrong(error.line, error.problem.to_string()))?;
         Ok(Self::Toml(file))
     }
 

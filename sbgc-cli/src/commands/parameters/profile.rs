@@ -184,7 +184,7 @@ async fn reset(
     }
     let before = parameters.snapshot([profile]).await?;
     if !global.yes {
-        match source::defaults(parameters.info()) {
+        match source::defaults(parameters).await {
             Ok(defaults) => {
                 let catalog = parameters.catalog();
                 for (own, blocks) in &before.profiles {

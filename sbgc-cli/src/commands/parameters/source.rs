@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::PathBuf;
 
-use sbgc_host::params::{Blocks, Catalog, ParameterFile, Profile, Snapshot};
+use sbgc_host::params::{Blocks, Catalog, ParameterFile, Parameters, Profile, Snapshot};
+use sbgc_host::{Gimbal, Options, sim};
 use sbgc_proto::commands::BoardInfo;
 
 use super::change;
@@ -55,8 +56,12 @@ pub(super) fn keep_defaults(info: &BoardInfo, blocks: &Blocks) {
     }
 }
 
-/// The factory values of a board.
-pub(super) fn defaults(info: &BoardInfo) -> Result<Document, Failure> {
+/// The factory values of a board: those of a simulated one, or those that were kept.
+pub(super) async fn defaults(parameters: &Parameters) -> Result<Document, Failure> {
+    if let Some(simulated) = of_simulated(parameters).await? {
+        return Ok(simulated);
+    }
+    let info = parameters.info();
     let path = defaults_path(info).filter(|path| path.is_file()).ok_or_else(|| {
         Failure::Failed(format!(
             "the factory values of firmware {} on board {:.1} are unknown: no command reads them. \
@@ -66,6 +71,23 @@ pub(super) fn defaults(info: &BoardInfo) -> Result<Document, Failure> {
         ))
     })?;
     Document::read(&path, &[])
+}
+
+/// What a simulated board of the same kind has when it is new; nothing for a real board.
+async fn of_simulated(parameters: &Parameters) -> Result<Option<Document>, Failure> {
+    match parameters.gimbal().board_info3().await {
+        Ok(more) if more.device_id.0 == sim::DEVICE_ID => {}
+        // Boards of the first generations do not know the command.
+        Ok(_) | Err(sbgc_host::Error::Timeout { .. } | sbgc_host::Error::Refused { .. }) => return Ok(None),
+        Err(error) => return Err(error.into()),
+    }
+    let info = parameters.info();
+    let config = sim::Config { board: info.board_ver, firmware: info.firmware_ver, ..sim::Config::default() };
+    let new = Gimbal::spawn(sim::in_process(config), Options::default());
+    let factory = Parameters::new(new.clone(), new.handshake().await?);
+    let snapshot = factory.snapshot(Profile::all()).await?;
+    new.close().await;
+    Document::parse(&ParameterFile::document(&snapshot), "defaults", &[]).map(Some)
 }
 
 /// Factory values laid over a profile.

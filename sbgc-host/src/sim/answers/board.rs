@@ -8,6 +8,7 @@ use sbgc_proto::commands::{
 use sbgc_proto::units::FlashSize;
 use sbgc_proto::wire::Bytes;
 
+use crate::sim::DEVICE_ID;
 use crate::sim::files::Files;
 use crate::sim::machine::{Call, Machine};
 use crate::sim::reply::{Replies, message};
@@ -64,7 +65,7 @@ fn info_3(machine: &mut Machine) -> Replies {
         files.size(FileId::new(FileType::Script, slot)).unwrap_or_default()
     };
     message(&BoardInfo3 {
-        device_id: Bytes(*b"SIMULATED"),
+        device_id: Bytes(DEVICE_ID),
         mcu_id: Bytes(*b"SIMULATEDMCU"),
         eeprom_size,
         script_slot1_size: size(0),

@@ -14,13 +14,14 @@ use crate::output::Output;
 
 /// Compare parameters of files, of the board and of its profiles
 ///
-/// A and B are a file, `board`, `defaults` (known once `profile reset` has run) or `profile:N`. Of a file only the
-/// profiles and parameters that it has are compared. Next to a profile or defaults, `board` is the active profile.
+/// A and B are a file, `board`, `defaults` or `profile:N`. Of a file only the profiles and parameters that it has are
+/// compared. Next to a profile or defaults, `board` is the active profile. No command reads the factory values of a real
+/// board: `profile reset` keeps those that it finds, and `defaults` means them from then on.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   sbgc params dump gimbal.toml && sbgc params diff gimbal.toml
   sbgc params diff profile:1 profile:2 --json
-  sbgc params diff board profile:3")]
+  sbgc params diff defaults")]
 pub(super) struct Diff {
     /// One side
     #[arg(value_parser = source::source)]
@@ -58,13 +59,7 @@ impl Diff {
             (a, b) => {
                 with_board(global, async |gimbal, info| {
                     let parameters = Parameters::new(gimbal, info);
-                    let resolve = |side| match side {
-                        Side::Defaults => source::defaults(parameters.info()).map(Known::Defaults),
-                        Side::File(file) => Ok(Known::File(*file)),
-                        Side::Board => Ok(Known::Board),
-                        Side::Profile(profile) => Ok(Known::Profile(profile)),
-                    };
-                    let (a, b) = (resolve(a)?, resolve(b)?);
+                    let (a, b) = (a.known(&parameters).await?, b.known(&parameters).await?);
                     self.with_sides(&parameters, &a, &b).await
                 })
                 .await?
@@ -195,6 +190,18 @@ impl Diff {
         let (catalog, blocks) = (parameters.catalog(), parameters.read(profile).await?);
         let factory = source::over(defaults, profile, &blocks, &catalog)?;
         Ok(factory.values(&catalog).differences(&blocks.values(&catalog), Some(profile)))
+    }
+}
+
+impl Side {
+    /// The rest of what has to be read.
+    async fn known(self, parameters: &Parameters) -> Result<Known, Failure> {
+        Ok(match self {
+            Side::Defaults => Known::Defaults(source::defaults(parameters).await?),
+            Side::File(file) => Known::File(*file),
+            Side::Board => Known::Board,
+            Side::Profile(profile) => Known::Profile(profile),
+        })
     }
 }
 

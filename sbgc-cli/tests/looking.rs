@@ -34,12 +34,26 @@ fn ports_are_listed_with_their_keys() {
 fn a_board_is_detected_on_its_port() {
     let keys_wanted = ["port", "baud", "parity", "protocol", "found", "firmware", "reason"];
     let board = Board::start();
-    let found = objects(&success(&["detect", "--port", &board.port(), "--json"]));
-    assert_eq!(found.len(), 1);
-    assert_eq!(keys(&found[0]), keys_wanted);
-    assert_eq!(found[0]["found"], true);
-    assert!(found[0]["baud"].is_number() && found[0]["reason"].is_null(), "{}", found[0]);
-    assert!(found[0]["firmware"].as_str().unwrap().starts_with("2."), "{}", found[0]);
+    // Parity cannot be seen on a pseudo-terminal, so the board answers with either, at its own rate alone.
+    let answered = objects(&success(&["detect", "--port", &board.port(), "--timeout", "50ms", "--json"]));
+    assert_eq!(answered.len(), 2, "{answered:?}");
+    for (found, parity) in answered.iter().zip(["none", "even"]) {
+        assert_eq!(keys(found), keys_wanted);
+        assert_eq!((&found["found"], &found["baud"]), (&true.into(), &115_200.into()));
+        assert_eq!((&found["parity"], &found["protocol"]), (&parity.into(), &2.into()));
+        assert!(found["port"] == board.port() && found["reason"].is_null(), "{found}");
+        assert!(found["firmware"].as_str().unwrap().starts_with("2."), "{found}");
+    }
+    let text = stdout(&success(&["detect", "--port", &board.port(), "--baud", "115200"]));
+    let lines: Vec<_> = text.lines().collect();
+    assert!(lines[0].contains("board 3.6, firmware 2.") && lines[0].contains("at 115200 baud, parity none"));
+    assert!(lines[1].contains(": also at 115200 baud, parity even"), "{text}");
+    let narrow = ["--baud", "115200", "--parity", "even", "--protocol", "2", "--json"];
+    let one = objects(&success(&[&["detect", "--port", &board.port()][..], &narrow].concat()));
+    assert_eq!(one.len(), 1, "{one:?}");
+    let inside = objects(&success(&["detect", "--port", "sim", "--json"]));
+    assert_eq!(inside.len(), 1);
+    assert!(inside[0]["baud"].is_null() && inside[0]["parity"].is_null(), "{inside:?}");
 
     let (_master, silent) = common::terminal();
     let output = run(&["detect", "--port", &silent, "--baud", "9600", "--timeout", "20ms", "--json"]);
@@ -47,7 +61,31 @@ fn a_board_is_detected_on_its_port() {
     let tried = objects(&output);
     assert_eq!(keys(&tried[0]), keys_wanted);
     assert_eq!(tried[0]["found"], false);
-    assert!(tried[0]["reason"].as_str().unwrap().contains("9600"), "{}", tried[0]);
+    let reason = "no answer at 9600 baud, parity none and even (tried versions 2 and 1)";
+    assert_eq!(tried[0]["reason"], reason);
+    let output = run(&["detect", "--port", "/dev/ttyNOWHERE7", "--json"]);
+    assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));
+    let tried = objects(&output);
+    assert_eq!((tried.len(), &tried[0]["found"]), (1, &false.into()));
+    assert!(tried[0]["reason"].as_str().unwrap().contains("/dev/ttyNOWHERE7"), "{}", tried[0]);
+    assert_eq!(run(&["detect", "--port", "tcp://nowhere"]).status.code(), Some(2));
+}
+
+#[test]
+fn the_whole_board_is_shown() {
+    let info = &objects(&success(&["--port", "sim", "info", "--json"]))[0];
+    // Of CMD_BOARD_INFO, CMD_BOARD_INFO_3 and CMD_READ_STATE_VARS.
+    for path in ["board_ver", "firmware_ver", "eeprom_size", "adj_vars_total_num", "work_time", "energy"] {
+        assert!(!info[path].is_null(), "{path}: {info}");
+    }
+    assert!(info["device_id"].is_string() && info["reserved"].is_null(), "{info}");
+    let text = stdout(&success(&["--port", "sim", "info"]));
+    assert!(text.contains("eeprom_size") && text.contains("32768 byte"), "{text}");
+    assert!(text.lines().last().unwrap().contains("--json shows them all"), "{text}");
+    // A board that says no to what else is asked is still shown.
+    let old = common::boards::moody(common::boards::Mood::Refuses(2)).0;
+    let info = &objects(&success(&["--port", &old, "info", "--json"]))[0];
+    assert!(info["firmware_ver"].is_string() && info["work_time"].is_null(), "{info}");
 }
 
 #[test]

@@ -1,7 +1,11 @@
 //! `sbgc info`: what the board is.
 
 use clap::Args;
-use sbgc_host::Error;
+use sbgc_host::{Error, Gimbal};
+use sbgc_proto::commands::{
+    BoardFeatures, BoardFeaturesExt, BoardInfo, BoardInfo3, ModuleList, ModuleListRequest, ReadStateVars,
+    StateVars,
+};
 use serde_json::{Map, Value};
 
 use crate::connect::with_board;
@@ -14,41 +18,74 @@ const EXAMPLES: &str = "Examples:
   sbgc info
   sbgc info --json";
 
-/// Show what the board is: versions, features, ids
+/// Show what the board is: versions, features, ids, memory, modules, statistics
 ///
-/// Text output omits zero fields; --json includes them.
+/// Statistics, such as the working time, and the modules on the CAN bus are shown where the board has them. Text output
+/// omits zero fields; --json includes them.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Info {}
 
+/// All that a board says of itself; nothing where it does not know the command.
+struct Known {
+    info: BoardInfo,
+    more: Option<BoardInfo3>,
+    modules: Option<ModuleList>,
+    statistics: Option<StateVars>,
+}
+
+impl Known {
+    async fn ask(gimbal: &Gimbal, info: BoardInfo) -> Result<Self, Failure> {
+        let more = async { Ok(Some(gimbal.board_info3().await?)) };
+        let modules = async {
+            let present = info.board_features.contains(BoardFeatures::CAN_PORT);
+            if present { gimbal.request(&ModuleListRequest {}).await.map(Some) } else { Ok(None) }
+        };
+        let statistics = async {
+            let present = info.board_features_ext.contains(BoardFeaturesExt::STATE_VARS);
+            if present { gimbal.request(&ReadStateVars {}).await.map(Some) } else { Ok(None) }
+        };
+        let (more, modules, statistics) = tokio::join!(more, modules, statistics);
+        Ok(Self { info, more: known(more)?, modules: known(modules)?, statistics: known(statistics)? })
+    }
+}
+
+/// Boards of the first generations do not know the commands.
+fn known<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Failure> {
+    match answer {
+        Ok(answer) => Ok(answer),
+        Err(Error::Timeout { .. } | Error::Refused { .. }) => Ok(None),
+        Err(error) => Err(error.into()),
+    }
+}
+
 impl Info {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
-        let (info, more) = with_board(global, async |gimbal, info| {
-            match gimbal.board_info3().await {
-                Ok(more) => Ok((info, Some(more))),
-                // Boards of the first generations do not know the command.
-                Err(Error::Timeout { .. } | Error::Refused { .. }) => Ok((info, None)),
-                Err(error) => Err(error.into()),
-            }
-        })
-        .await?;
+        let known = with_board(global, async |gimbal, info| Known::ask(&gimbal, info).await).await?;
+        let Known { info, more, modules, statistics } = &known;
         if output.is_json() {
             let mut object = Map::new();
-            fields::add_to_object(&mut object, &info);
-            if let Some(more) = &more {
+            fields::add_to_object(&mut object, info);
+            if let Some(more) = more {
                 fields::add_to_object(&mut object, more);
+            }
+            if let Some(modules) = modules {
+                fields::add_to_object(&mut object, modules);
+            }
+            if let Some(statistics) = statistics {
+                fields::add_to_object(&mut object, statistics);
             }
             output.object(&Value::Object(object))?;
             return Ok(());
         }
-        let (mut lines, mut zeros) = fields::that_say_something(&info);
-        if let Some(more) = &more {
-            let (more, more_zeros) = fields::that_say_something(more);
-            lines.extend(more);
-            zeros += more_zeros;
-        }
-        let width = lines.iter().map(|(path, _)| path.len()).max().unwrap_or_default();
-        for (path, value) in lines {
+        let mut parts = vec![fields::that_say_something(info)];
+        parts.extend(more.as_ref().map(fields::that_say_something));
+        parts.extend(modules.as_ref().map(fields::that_say_something));
+        parts.extend(statistics.as_ref().map(fields::that_say_something));
+        let zeros: usize = parts.iter().map(|(_, zeros)| zeros).sum();
+        let lines = || parts.iter().flat_map(|(lines, _)| lines);
+        let width = lines().map(|(path, _)| path.len()).max().unwrap_or_default();
+        for (path, value) in lines() {
             output.line(format_args!("{path:<width$}  {value}"))?;
         }
         if zeros > 0 {

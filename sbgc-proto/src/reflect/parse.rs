@@ -159,6 +159,10 @@ fn raw_of_parts(parts: &[BitPart], text: &str) -> Option<i64> {
 /// What one name says by itself: the value of the only part that has it, or that a bit is set. With it the bits that it
 /// speaks of.
 fn raw_of_word(parts: &[BitPart], word: &str) -> Option<(i64, i64)> {
+    // Some values are called "24": by itself that is the number.
+    if word.parse::<i64>().is_ok() {
+        return None;
+    }
     let mut meanings = parts.iter().filter_map(|part| {
         let is_bit = part.width == 1 && part.name.eq_ignore_ascii_case(word);
         let value = if is_bit { Some(1) } else { raw_of_label(part.labels, word) };

@@ -119,6 +119,22 @@ proptest! {
 }
 
 #[test]
+fn a_number_is_no_name_even_where_values_are_called_so() {
+    let encoded = |value: &str| {
+        let encode = Encode {
+            name: "CMD_WRITE_PARAMS_EXT3".to_owned(),
+            fields: vec![("encoder_cfg_ext.pitch".to_owned(), value.to_owned())],
+            direction: Way::Outgoing,
+            form: None,
+        };
+        let frame = encode.encode(Version::V2).unwrap().frame;
+        u16::from_le_bytes([frame[4 + 137], frame[4 + 138]])
+    };
+    assert_eq!(encoded("24"), 24);
+    assert_eq!(encoded("MULTI_TURN=24"), 4 << 5);
+}
+
+#[test]
 fn every_form_is_tried() {
     // The strategy above skips what cannot be read; zeros and ones can be, at some length of every form.
     for info in OutgoingCommand::ALL.iter().chain(IncomingCommand::ALL) {

@@ -5,7 +5,7 @@
 //!                              └─────► queues ───► subscribers         registrations  streams wanted and running
 //!   request, send, set, ... ─► session, set-points, registrations      outbox         set-points, and the batch that
 //!   pending(now), written ◄─── batch ◄── pacer                                        the port is taking
-//!   next_wake(now) ◄────────── deadlines                               pacer          how much the board can take
+//!   next_wake(now) ◄────────── deadlines                               pacer, load    how much the board can take
 //! ```
 //!
 //! [`Machine`] does no input or output and looks at no clock. Time is given to it, counted from any start; going back
@@ -40,6 +40,7 @@
 
 mod call;
 mod counters;
+mod load;
 mod outbox;
 mod pacer;
 mod queue;
@@ -61,6 +62,7 @@ pub use queue::{Interruption, Payload, Queue, Sample};
 pub use registrations::{MAX_STREAMS, StreamCall};
 pub use samples::Shape;
 
+use load::Load;
 use outbox::{Batch, Kind, Setpoints};
 use pacer::Pacer;
 use registrations::{Registrations, Told};
@@ -74,6 +76,12 @@ const FLUSH: Duration = Duration::from_secs(1);
 
 /// The same at most, on a link with much latency.
 const LONGEST_FLUSH: Duration = Duration::from_secs(5);
+
+/// While the board hangs, so many bytes of its input buffer are kept for what is urgent,
+const KEPT_FOR_URGENT: usize = 32;
+
+/// and so many for that and for set-points.
+const KEPT_FOR_MOTION: usize = 64;
 
 /// Whether the port is there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -176,6 +184,9 @@ pub struct Machine<W> {
     setpoints: Setpoints,
     batch: Batch,
     pacer: Pacer,
+    load: Load,
+    /// Whether something waits until the board has room for it.
+    held_up: bool,
     listeners: Vec<Listener>,
     next_listener: u64,
     counters: LinkCounters,
@@ -198,6 +209,8 @@ impl<W: Waiter> Machine<W> {
             setpoints: Setpoints::default(),
             batch: Batch::default(),
             pacer: Pacer::new(setup.baud, Duration::ZERO),
+            load: Load::new(setup.baud),
+            held_up: false,
             listeners: Vec::new(),
             next_listener: 0,
             counters: LinkCounters::default(),
@@ -391,6 +404,7 @@ impl<W: Waiter> Machine<W> {
     /// The port is open again. Nothing goes on before the board has told who it is.
     pub fn up(&mut self, now: Duration) {
         self.pacer = Pacer::new(self.setup.baud, now);
+        self.load = Load::new(self.setup.baud);
         let Some(Identity { command, .. }) = self.identity else { return };
         let (timeout, attempts) = (self.setup.timeout, self.setup.attempts);
         let (expected, priority) = (Expected::any(command.into()), Priority::Normal);
@@ -495,6 +509,9 @@ impl<W: Waiter> Machine<W> {
             self.registrations.on_reset(now);
         }
         let verdict = self.session.on_frame(now, frame.id, frame.payload);
+        if let Some(number) = self.session.take_answered() {
+            self.load.answered(now, number, !self.registrations.is_empty());
+        }
         let unsolicited = matches!(verdict, Verdict::Unsolicited);
         // Subscribers get it, too, whether or not it is an answer, and before the one who waits for that goes on.
         let taken = self.publish(now, frame.id, frame.payload, !unsolicited);
@@ -579,6 +596,7 @@ impl<W: Waiter> Machine<W> {
         if let Some(length) = self.batch.finish() {
             self.pacer.end(now, length);
         }
+        self.held_up = false;
         if now >= self.pacer.not_before() {
             let begins = self.batch.is_empty();
             self.fill(now);
@@ -590,16 +608,25 @@ impl<W: Waiter> Machine<W> {
     }
 
     fn fill(&mut self, now: Duration) {
-        let version = self.version;
-        while let Some(room) = self.batch.room(version) {
-            let (outgoing, kind) = if let Some(urgent) = self.session.next_urgent(now, room) {
+        let (version, in_use) = (self.version, self.load.in_use(now));
+        loop {
+            let room =
+                |batch: &Batch, kept: usize| batch.room(version, if in_use > 0 { in_use + kept } else { 0 });
+            let (outgoing, kind) = if let Some(urgent) =
+                room(&self.batch, 0).and_then(|room| self.session.next_urgent(now, room))
+            {
                 (urgent, Kind::Urgent)
-            } else if let Some((command, payload)) = self.setpoints.take(room) {
+            } else if let Some((command, payload)) =
+                room(&self.batch, KEPT_FOR_URGENT).and_then(|room| self.setpoints.take(room))
+            {
                 let number = self.session.sent_unawaited(now, command);
                 (session::Outgoing { number, command, payload, version: None }, Kind::Setpoint(command))
-            } else if let Some(outgoing) = self.session.next_to_send(now, room) {
+            } else if let Some(outgoing) =
+                room(&self.batch, KEPT_FOR_MOTION).and_then(|room| self.session.next_to_send(now, room))
+            {
                 (outgoing, Kind::Other)
             } else {
+                self.held_up = in_use > 0;
                 break;
             };
             let session::Outgoing { number, command, payload, version: other } = outgoing;
@@ -619,22 +646,24 @@ impl<W: Waiter> Machine<W> {
     pub fn written(&mut self, now: Duration, count: usize) {
         self.counters.sent_bytes += count as u64;
         self.batch.take(count);
-        while let Some(number) = self.batch.next_written() {
-            self.session.written(now, number);
+        while let Some((number, length)) = self.batch.next_written() {
+            let answers = self.session.written(now, number);
+            self.load.written(now, number, length, answers, !self.registrations.is_empty());
         }
         if let Some(length) = self.batch.finish() {
             self.pacer.end(now, length);
         }
     }
 
-    /// When something is to be done even if nothing happens.
+    /// When something is to be done even if nothing happens; to be asked after [`pending`](Self::pending).
     pub fn next_wake(&self, now: Duration) -> Option<Duration> {
         if self.is_over() {
             return None;
         }
         let gap = (self.decoder.pending() > 0).then(|| self.last_read.saturating_add(self.setup.gap));
         let wants = self.batch.is_empty() && (self.session.wants_to_send(now) || !self.setpoints.is_empty());
-        let send = wants.then(|| self.pacer.not_before());
+        let room = self.load.next_release(now).filter(|_| self.held_up);
+        let send = wants.then(|| self.pacer.not_before().max(room.unwrap_or_default()));
         let streams = (self.state == LinkState::Open)
             .then(|| self.registrations.next_wake(now, self.session.latency()))
             .flatten();

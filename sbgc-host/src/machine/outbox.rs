@@ -82,15 +82,16 @@ impl Batch {
         self.frames.is_empty()
     }
 
-    /// How many payload bytes the next frame may have; `None` if there is no room for any frame.
-    pub(super) fn room(&self, version: Version) -> Option<usize> {
-        if self.is_empty() {
+    /// How many payload bytes the next frame may have if so many bytes of the board's buffer are taken; `None` if there
+    /// is no room for any frame.
+    pub(super) fn room(&self, version: Version, taken: usize) -> Option<usize> {
+        if self.is_empty() && taken == 0 {
             // Alone in its batch goes whatever was let in, so that nothing stays for ever.
             return Some(MAX_PAYLOAD);
         }
         // What the port has begun with is as long as it is.
         let length = if self.written > 0 { BOARD_BUFFER } else { self.bytes.len() };
-        BOARD_BUFFER.checked_sub(length + version.overhead())
+        BOARD_BUFFER.checked_sub(length + taken + version.overhead())
     }
 
     /// Adds a frame.
@@ -127,11 +128,11 @@ impl Batch {
         self.written += count;
     }
 
-    /// The number of the next command whose frame is wholly written; call it until there is none.
-    pub(super) fn next_written(&mut self) -> Option<u64> {
+    /// The number of the next command whose frame is wholly written, and how long that is; call it until there is none.
+    pub(super) fn next_written(&mut self) -> Option<(u64, usize)> {
         let first = self.frames.front()?;
         self.begun = self.begun.checked_sub(first.length)?;
-        self.frames.pop_front().map(|place| place.number)
+        self.frames.pop_front().map(|place| (place.number, place.length))
     }
 
     /// How many bytes the batch had, once all of it is written.
@@ -211,17 +212,19 @@ mod tests {
         assert_eq!(batch.withdraw_setpoint(67), Some(2));
         assert_eq!(batch.pending().len(), 3);
         batch.take(3);
-        assert_eq!((batch.next_written(), batch.next_written()), (Some(1), None));
+        assert_eq!((batch.next_written(), batch.next_written()), (Some((1, 5)), None));
         assert_eq!((batch.finish(), batch.finish()), (Some(5), None));
     }
 
     #[test]
     fn a_batch_that_is_begun_has_no_room() {
         let mut batch = Batch::default();
-        assert_eq!(batch.room(Version::V1), Some(MAX_PAYLOAD));
+        assert_eq!(batch.room(Version::V1, 0), Some(MAX_PAYLOAD));
+        assert_eq!(batch.room(Version::V1, 100), Some(BOARD_BUFFER - 105));
         add(&mut batch, 1, 86, Kind::Other);
-        assert_eq!(batch.room(Version::V1), Some(BOARD_BUFFER - 10));
+        assert_eq!(batch.room(Version::V1, 0), Some(BOARD_BUFFER - 10));
+        assert_eq!((batch.room(Version::V1, 245), batch.room(Version::V1, 246)), (Some(0), None));
         batch.take(1);
-        assert_eq!(batch.room(Version::V1), None);
+        assert_eq!(batch.room(Version::V1, 0), None);
     }
 }

@@ -7,10 +7,10 @@
 use std::time::Duration;
 
 /// How often a board reads its input.
-const BOARD_CYCLE: Duration = Duration::from_millis(8);
+pub(super) const BOARD_CYCLE: Duration = Duration::from_millis(8);
 
 /// Start bit, data and stop bit. A parity bit would make it 11, which nobody notices at this granularity.
-const BITS_PER_BYTE: u64 = 10;
+pub(super) const BITS_PER_BYTE: u64 = 10;
 
 /// Says when the next batch may go out.
 #[derive(Debug)]

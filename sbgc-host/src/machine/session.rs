@@ -22,6 +22,7 @@ use sbgc_proto::frame::Version;
 use sbgc_proto::{CommandId, Expected};
 
 use super::call::{Call, Failure, Priority};
+use super::load::Answers;
 
 /// How long an answer may be late, at least.
 pub(super) const GRACE: Duration = Duration::from_millis(250);
@@ -120,6 +121,8 @@ pub(super) struct Session<W> {
     latency: Option<Duration>,
     timeouts: u64,
     repeats: u64,
+    /// The command that was answered last.
+    answered: Option<u64>,
     is_gone: fn(&W) -> bool,
 }
 
@@ -133,6 +136,7 @@ impl<W> Session<W> {
             latency: None,
             timeouts: 0,
             repeats: 0,
+            answered: None,
             is_gone,
         }
     }
@@ -270,10 +274,14 @@ impl<W> Session<W> {
         });
     }
 
-    /// The port has taken a frame.
-    pub(super) fn written(&mut self, now: Duration, number: u64) {
+    /// The port has taken a frame. Returns how the board answers it.
+    pub(super) fn written(&mut self, now: Duration, number: u64) -> Answers {
         let grace = self.grace();
+        let mut answers = Answers::Shortly;
         if let Some(entry) = self.sent.iter_mut().find(|entry| entry.number == number) {
+            if entry.call.expected.answer() != CommandId::CONFIRM {
+                answers = Answers::AtLength;
+            }
             entry.written = true;
             if entry.times == 1 {
                 entry.first_out = now;
@@ -284,6 +292,12 @@ impl<W> Session<W> {
                 None => now.saturating_add(grace),
             };
         }
+        answers
+    }
+
+    /// The number of the command that the last frame has answered, told once.
+    pub(super) fn take_answered(&mut self) -> Option<u64> {
+        self.answered.take()
     }
 
     /// A frame was taken back before the port took it.
@@ -381,6 +395,7 @@ impl<W> Session<W> {
 
     fn answer(&mut self, now: Duration, index: usize, outcome: Result<&[u8], Failure>) -> Verdict<W> {
         let Some(entry) = self.sent.get(index) else { return Verdict::Unsolicited };
+        self.answered = Some(entry.number);
         // Of a command that was sent twice nobody knows which of the two was answered, so it took this at most.
         let since = if entry.waiter.is_some() { entry.first_out } else { entry.handed_out };
         let took = now.saturating_sub(since);

@@ -513,6 +513,7 @@ impl World {
     }
 
     fn check(&self) {
+        assert_eq!(self.board.counters().lost, 0, "the board's input buffer overflowed at {:?}", self.now);
         let overdue = self
             .asked
             .iter()

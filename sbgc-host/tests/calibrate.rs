@@ -1,15 +1,18 @@
 //! Calibrations against the simulated board: progress, outcome, what they need, and giving up.
 #![cfg(feature = "sim")]
 
+mod support;
+
 use std::time::Duration;
 
 use sbgc_host::calibrate::{BodeTest, Calibration, CalibrationRun, CalibrationState, Step, Tuning};
-use sbgc_host::proto::CommandId;
 use sbgc_host::proto::commands::{
-    Axis, CalibAction, CalibImu, CalibMode, CoggingAxes, MotorsOffMode, RealtimeData4Request, RtDataFlags,
+    Axis, CalibAction, CalibImu, CalibMode, CoggingAxes, MotorsOffMode, RealtimeData3, RealtimeData4,
+    RealtimeData4Request, RtDataFlags,
 };
 use sbgc_host::proto::units::{Angle, ControlRate};
 use sbgc_host::proto::wire::PerAxis;
+use sbgc_host::proto::{CommandId, Message};
 use sbgc_host::sim::{self, Config};
 use sbgc_host::{ControlSession, Error, Gimbal, Options, SessionOptions};
 
@@ -112,6 +115,25 @@ async fn what_is_refused_or_not_met_fails() {
     let tilted = calibrate(&gimbal, Calibration::ExternalReference([1.0, 0.0, 0.0])).await;
     assert_eq!(tilted.state, CalibrationState::Failed, "{tilted:?}");
     assert!(began.elapsed() < Duration::from_secs(10));
+}
+
+#[tokio::test(start_paused = true)]
+async fn what_was_refused_is_not_stopped() {
+    let (gimbal, mut board) = support::gimbal();
+    let (outcome, ()) =
+        tokio::join!(CalibrationRun::start(&gimbal, Calibration::Cogging(CoggingAxes::YAW)), async {
+            board.expect(support::BOARD_INFO).await;
+            board.send(support::BOARD_INFO, &support::board_info(2730)).await;
+            let state = board.expect(support::REALTIME_4).await;
+            // The motors are on.
+            let flags = RealtimeData3 { rt_data_flags: RtDataFlags::MOTORS_ON, ..RealtimeData3::default() };
+            let data = RealtimeData4 { realtime_data_3: flags, ..RealtimeData4::default() };
+            board.send(state.id, data.encode(&mut [0; 255]).unwrap()).await;
+            let command = board.next().await;
+            board.send(255, &[command.id, 1]).await;
+        });
+    assert!(matches!(outcome, Err(Error::Refused { code: 1, .. })), "{outcome:?}");
+    assert!(board.is_quiet(Duration::from_secs(3)).await, "nothing switches the motors off");
 }
 
 #[tokio::test(start_paused = true)]

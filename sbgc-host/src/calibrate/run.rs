@@ -153,16 +153,19 @@ impl CalibrationRun {
             ended: false,
             _claim: claim,
         };
-        if facts.confirmed {
-            gimbal.request_raw(command, payload, CommandId::CONFIRM).await?;
-            if facts.end != End::First {
-                // That was the first one.
-                run.events.confirmations = gimbal.listen(CommandId::CONFIRM);
-            }
+        let started = if facts.confirmed {
+            gimbal.request_raw(command, payload, CommandId::CONFIRM).await.map(drop)
         } else if facts.end == End::First {
-            gimbal.send_raw(command, payload).await?;
+            gimbal.send_raw(command, payload).await
         } else {
-            gimbal.send_checked_raw(command, payload).await?;
+            gimbal.send_checked_raw(command, payload).await.map(drop)
+        };
+        // What was refused does not move, and nothing has to stop it.
+        run.ended = matches!(started, Err(Error::Refused { .. }));
+        started?;
+        if facts.confirmed && facts.end != End::First {
+            // That was the first one.
+            run.events.confirmations = gimbal.listen(CommandId::CONFIRM);
         }
         run.began = Instant::now();
         Ok(run)

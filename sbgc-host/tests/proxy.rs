@@ -7,10 +7,10 @@ use std::time::Duration;
 use sbgc_host::proxy::{self, ProxyOptions};
 use sbgc_host::sim::{self, Config};
 use sbgc_host::transport::{Address, Line};
-use sbgc_host::{Error, Gimbal, Options, Sample, StreamRequest, VersionChoice};
+use sbgc_host::{Error, Gimbal, Options, Sample, StreamRequest, Subscription, VersionChoice};
 use sbgc_proto::CommandId;
 use sbgc_proto::commands::{
-    MotorsOffMode, ProfileId, ReadParams3, RealtimeDataCustomFlags, SelectImu3, StreamSource,
+    CalibGyroSimple, MotorsOffMode, ProfileId, ReadParams3, RealtimeDataCustomFlags, SelectImu3, StreamSource,
 };
 use sbgc_proto::frame::Version;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
@@ -160,4 +160,71 @@ fn crc(bytes: &[u8]) -> [u8; 2] {
         }
     }
     register.to_le_bytes()
+}
+
+/// The next payload of a subscription.
+async fn next(subscription: &mut Subscription) -> Vec<u8> {
+    match timeout(Duration::from_secs(10), subscription.next()).await {
+        Ok(Some(Sample::Payload(payload))) => payload.to_vec(),
+        other => panic!("{other:?}"),
+    }
+}
+
+#[tokio::test]
+async fn what_the_board_sends_by_itself_comes_through() {
+    let (_board, address) = proxy(ProxyOptions::default()).await;
+    let (one, other) =
+        (client(address, VersionChoice::Auto).await, client(address, VersionChoice::Only(Version::V1)).await);
+    // The steps of a script go to all.
+    let mut traces = [one.listen(CommandId::ScriptDebug), other.listen(CommandId::ScriptDebug)];
+    one.script_upload(1, b"WAIT(20)\nMOTORS(1)\nEND()\n", |_, _| {}).await.unwrap();
+    one.script_run(1, true).await.unwrap();
+    for trace in &mut traces {
+        assert_eq!((next(trace).await, next(trace).await), (vec![1, 0, 0], vec![2, 0, 0]));
+    }
+    // The second confirmation of a calibration goes to the one that asked for it.
+    let mut confirmations = one.listen(CommandId::CONFIRM);
+    let mut of_others = other.listen(CommandId::CONFIRM);
+    one.confirm(&CalibGyroSimple {}).await.unwrap();
+    for _ in 0..2 {
+        assert_eq!(next(&mut confirmations).await[0], CommandId::CalibGyro.raw());
+    }
+    // A restart is announced to all, and streams go on after it.
+    let mut notices = other.listen(CommandId::Reset);
+    let mut samples = other.subscribe(angles(20)).await.unwrap();
+    next(&mut samples).await;
+    one.restart(Duration::ZERO).await.unwrap();
+    next(&mut notices).await;
+    let resumed = async {
+        loop {
+            match samples.next().await {
+                Some(Sample::Resumed(_)) => return,
+                Some(_) => {}
+                None => panic!("the stream ended"),
+            }
+        }
+    };
+    timeout(Duration::from_secs(20), resumed).await.unwrap();
+    // Only the registrations of the other client itself were confirmed to it.
+    assert_eq!(next(&mut of_others).await[0], CommandId::DataStreamInterval.raw());
+}
+
+#[tokio::test]
+async fn streams_follow_the_sensors_through_the_proxy() {
+    let (_board, address) = proxy(ProxyOptions::default()).await;
+    let (one, other) =
+        (client(address, VersionChoice::Auto).await, client(address, VersionChoice::Auto).await);
+    // Each 50th cycle of 0.8 ms.
+    let synced = StreamRequest { synced: true, ..angles(50) };
+    let mut samples = one.subscribe(synced).await.unwrap();
+    let mut times = Vec::new();
+    for _ in 0..4 {
+        let payload = next(&mut samples).await;
+        times.push(u16::from_le_bytes([payload[0], payload[1]]));
+    }
+    assert!(times.windows(2).all(|pair| pair[1].wrapping_sub(pair[0]) == 40), "{times:?}");
+    // The same stream by time is another one.
+    let error = other.subscribe(angles(50)).await.unwrap_err();
+    assert!(matches!(error, Error::Refused { .. }), "{error}");
+    drop(other.subscribe(synced).await.unwrap());
 }

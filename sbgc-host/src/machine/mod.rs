@@ -168,7 +168,8 @@ impl<W: Waiter> Who<W> {
 struct Listener {
     number: u64,
     queue: Arc<Queue>,
-    command: u8,
+    /// The frames to hear; `None` for those that nobody asked for.
+    command: Option<u8>,
 }
 
 /// The driver. `W` is who waits for an answer.
@@ -309,8 +310,9 @@ impl<W: Waiter> Machine<W> {
         self.counters.superseded += u64::from(superseded);
     }
 
-    /// Has frames with this id put into the queue that is returned.
-    pub fn listen(&mut self, command: u8, capacity: usize) -> (u64, Arc<Queue>) {
+    /// Has frames with this id put into the queue that is returned; without an id those that are neither the answer to a
+    /// request nor a sample.
+    pub fn listen(&mut self, command: Option<u8>, capacity: usize) -> (u64, Arc<Queue>) {
         let (number, queue) = self.queue(capacity);
         if self.is_over() {
             queue.end();
@@ -512,9 +514,8 @@ impl<W: Waiter> Machine<W> {
         if let Some(number) = self.session.take_answered() {
             self.load.answered(now, number, !self.registrations.is_empty());
         }
-        let unsolicited = matches!(verdict, Verdict::Unsolicited);
         // Subscribers get it, too, whether or not it is an answer, and before the one who waits for that goes on.
-        let taken = self.publish(now, frame.id, frame.payload, !unsolicited);
+        let taken = self.publish(now, frame, &verdict);
         match verdict {
             Verdict::Answer(waiting, outcome) => {
                 if matches!(waiting, Who::Probe(_)) {
@@ -529,13 +530,17 @@ impl<W: Waiter> Machine<W> {
     }
 
     /// Hands a frame to all who listen. Returns whether there was anybody.
-    fn publish(&mut self, now: Duration, command: u8, payload: &[u8], answers: bool) -> bool {
+    fn publish(&mut self, now: Duration, frame: Frame<'_>, verdict: &Verdict<Who<W>>) -> bool {
+        let Frame { id: command, payload, .. } = frame;
+        let answers = !matches!(verdict, Verdict::Unsolicited);
         let sampled = self.registrations.on_frame(now, command, payload, answers);
+        let stray = sampled.is_none() && matches!(verdict, Verdict::Unsolicited | Verdict::Unawaited);
+        let hears = |listener: &&Listener| listener.command.map_or(stray, |wanted| wanted == command);
         let mut lost = sampled.unwrap_or_default();
         let mut taken = sampled.is_some();
-        for listener in self.listeners.iter().filter(|listener| listener.command == command) {
+        for listener in self.listeners.iter().filter(hears) {
             taken = true;
-            lost += u64::from(listener.queue.push(payload));
+            lost += u64::from(listener.queue.push(command, payload));
         }
         self.counters.lost_samples += lost;
         taken

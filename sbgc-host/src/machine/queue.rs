@@ -10,6 +10,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::task::{Context, Poll, Waker};
 use std::time::Duration;
 
+use sbgc_proto::CommandId;
 use sbgc_proto::frame::MAX_PAYLOAD;
 
 /// What a subscription yields.
@@ -55,8 +56,16 @@ impl fmt::Display for Interruption {
 /// The payload of one frame, kept in place.
 #[derive(Clone)]
 pub struct Payload {
+    command: u8,
     length: u8,
     bytes: [u8; MAX_PAYLOAD],
+}
+
+impl Payload {
+    /// The command id of the frame.
+    pub const fn command(&self) -> CommandId {
+        CommandId::from_raw(self.command)
+    }
 }
 
 impl Deref for Payload {
@@ -97,8 +106,8 @@ pub struct Queue {
 /// What is in the queue.
 #[derive(Clone, Copy, Debug)]
 enum Entry {
-    /// So many of the bytes.
-    Sample(u8),
+    /// Of this command, so many of the bytes.
+    Sample(u8, u8),
     Interrupted(Interruption),
     Resumed(Duration),
 }
@@ -121,7 +130,7 @@ impl Queue {
     }
 
     /// Appends a sample. Returns whether another was lost for it.
-    pub(crate) fn push(&self, payload: &[u8]) -> bool {
+    pub(crate) fn push(&self, command: u8, payload: &[u8]) -> bool {
         let mut state = self.lock();
         let full = state.samples >= self.capacity;
         if full {
@@ -129,7 +138,7 @@ impl Queue {
         }
         // No payload is longer; if one were, its end would be missing and nothing else.
         let length = u8::try_from(payload.len()).unwrap_or(u8::MAX);
-        state.entries.push_back(Entry::Sample(length));
+        state.entries.push_back(Entry::Sample(command, length));
         state.samples += 1;
         state.bytes.extend(payload.iter().take(usize::from(length)));
         wake(state);
@@ -167,7 +176,7 @@ impl Queue {
         }
         if let Some(entry) = state.entries.pop_front() {
             return Poll::Ready(Some(match entry {
-                Entry::Sample(length) => Sample::Payload(state.take(length)),
+                Entry::Sample(command, length) => Sample::Payload(state.take(command, length)),
                 Entry::Interrupted(interruption) => Sample::Interrupted(interruption),
                 Entry::Resumed(after) => Sample::Resumed(after),
             }));
@@ -190,10 +199,10 @@ impl Queue {
 impl State {
     /// Drops the oldest sample. What is marked around it stays, but for marks that a later one makes useless.
     fn drop_oldest(&mut self) {
-        let Some(index) = self.entries.iter().position(|entry| matches!(entry, Entry::Sample(_))) else {
+        let Some(index) = self.entries.iter().position(|entry| matches!(entry, Entry::Sample(..))) else {
             return;
         };
-        if let Some(Entry::Sample(length)) = self.entries.remove(index) {
+        if let Some(Entry::Sample(_, length)) = self.entries.remove(index) {
             self.samples = self.samples.saturating_sub(1);
             self.bytes.drain(..usize::from(length).min(self.bytes.len()));
             self.lost = self.lost.saturating_add(1);
@@ -204,14 +213,14 @@ impl State {
         }
     }
 
-    fn take(&mut self, length: u8) -> Payload {
+    fn take(&mut self, command: u8, length: u8) -> Payload {
         self.samples = self.samples.saturating_sub(1);
         let mut bytes = [0; MAX_PAYLOAD];
         let length_in_use = usize::from(length).min(self.bytes.len());
         for (place, byte) in bytes.iter_mut().zip(self.bytes.drain(..length_in_use)) {
             *place = byte;
         }
-        Payload { length, bytes }
+        Payload { command, length, bytes }
     }
 }
 
@@ -242,7 +251,7 @@ mod tests {
     #[test]
     fn a_full_queue_drops_its_oldest_and_says_how_many() {
         let queue = Queue::new(2);
-        let lost: Vec<_> = (0..5_u8).map(|byte| queue.push(&vec![byte; usize::from(byte)])).collect();
+        let lost: Vec<_> = (0..5_u8).map(|byte| queue.push(7, &vec![byte; usize::from(byte)])).collect();
         assert_eq!(lost, [false, false, true, true, true]);
         assert_eq!(poll(&queue), Poll::Ready(Some(Sample::Lagged(3))));
         assert_eq!((bytes(poll(&queue)), bytes(poll(&queue))), (vec![3; 3], vec![4; 4]));
@@ -252,8 +261,8 @@ mod tests {
     #[test]
     fn what_came_before_the_end_is_still_told() {
         let queue = Queue::new(2);
-        queue.push(&[1]);
-        queue.push(&[]);
+        queue.push(7, &[1]);
+        queue.push(7, &[]);
         queue.end();
         assert_eq!((bytes(poll(&queue)), bytes(poll(&queue))), (vec![1], vec![]));
         assert_eq!(poll(&queue), Poll::Ready(None));

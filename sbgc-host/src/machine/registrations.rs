@@ -8,7 +8,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::commands::{DataStreamInterval, StreamConfig};
+use sbgc_proto::commands::{DataStreamInterval, StreamConfig, Switch};
 use sbgc_proto::units::StreamInterval;
 use sbgc_proto::{CommandId, Message};
 
@@ -48,6 +48,8 @@ pub struct StreamCall {
     pub shape: Shape,
     /// Time between two messages, in milliseconds; at least 1.
     pub interval_ms: u16,
+    /// Whether the interval counts samples of the IMU attitude instead.
+    pub synced: bool,
     /// How many samples wait for the subscriber before the oldest is lost.
     pub capacity: usize,
 }
@@ -169,7 +171,7 @@ impl<W> Registrations<W> {
                 }
                 (found.not_before, found.failures) = (Duration::ZERO, 0);
                 (found.confirmed, found.interrupted) = (false, None);
-            } else if found.call.interval_ms != call.interval_ms {
+            } else if (found.call.interval_ms, found.call.synced) != (call.interval_ms, call.synced) {
                 user.queue.end();
                 return vec![(waiter, Err(Failure::StreamInUse { running_ms: found.call.interval_ms }))];
             }
@@ -239,7 +241,7 @@ impl<W> Registrations<W> {
                 found.failures = 0;
             }
             for user in &found.users {
-                *lost.get_or_insert(0) += u64::from(user.queue.push(payload));
+                *lost.get_or_insert(0) += u64::from(user.queue.push(command, payload));
             }
         }
         lost
@@ -433,6 +435,7 @@ fn request(call: &StreamCall, interval_ms: u16) -> Bytes {
         cmd_id: CommandId::from_raw(call.shape.command),
         interval_ms: StreamInterval(interval_ms),
         config: StreamConfig(call.shape.config.into()),
+        sync_to_data: if call.synced { Switch::On } else { Switch::Off },
         ..DataStreamInterval::default()
     };
     let mut buffer = [0; 32];

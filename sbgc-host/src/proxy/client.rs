@@ -1,11 +1,10 @@
 //! One client: its frames in, answers and samples out.
 
-use std::collections::HashMap;
 use std::future::poll_fn;
 use std::io;
 use std::pin::Pin;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, Mutex, PoisonError};
 use std::task::Poll;
 use std::time::Duration;
 
@@ -20,8 +19,8 @@ use tokio::task::JoinSet;
 use tokio::time::timeout;
 
 use super::SETPOINTS;
+use super::strays::Strays;
 use super::streams::Streams;
-use crate::streams::Sample;
 use crate::{Error, Gimbal};
 
 /// How many frames may wait for a client that does not read.
@@ -62,6 +61,11 @@ impl Outbox {
         !matches!(self.sender.try_send((id, payload)), Err(mpsc::error::TrySendError::Closed(_)))
     }
 
+    /// Whether the client has left.
+    pub(super) fn is_closed(&self) -> bool {
+        self.sender.is_closed()
+    }
+
     /// Puts in a refusal.
     pub(super) async fn refuse(&self, command: CommandId, code: u8, data: &[u8]) {
         let mut payload = BytesMut::with_capacity(2 + data.len().max(4));
@@ -72,43 +76,11 @@ impl Outbox {
     }
 }
 
-/// Who has sent the last set-point of each command, and so gets what the board says to it.
-#[derive(Clone, Debug, Default)]
-pub(super) struct SetpointOwners(Arc<Mutex<HashMap<u8, Outbox>>>);
-
-impl SetpointOwners {
-    fn set(&self, command: CommandId, outbox: &Outbox) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).insert(command.raw(), outbox.clone());
-    }
-
-    /// Hands confirmations and errors of set-points to their owners, as long as the link lives.
-    pub(super) async fn forward(self, gimbal: Gimbal) {
-        let (mut confirmations, mut errors) =
-            (gimbal.listen(CommandId::CONFIRM), gimbal.listen(CommandId::Error));
-        loop {
-            let (id, sample) = tokio::select! {
-                sample = confirmations.next() => (CommandId::CONFIRM, sample),
-                sample = errors.next() => (CommandId::Error, sample),
-            };
-            match sample {
-                None => return,
-                Some(Sample::Lagged(_) | Sample::Interrupted(_) | Sample::Resumed(_)) => {}
-                Some(Sample::Payload(payload)) => {
-                    let owners = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-                    if let Some(outbox) = payload.first().and_then(|command| owners.get(command)) {
-                        outbox.sample(id, Bytes::copy_from_slice(&payload));
-                    }
-                }
-            }
-        }
-    }
-}
-
 /// What the proxy knows of a client.
 pub(super) struct Client {
     gimbal: Gimbal,
     read_only: bool,
-    owners: SetpointOwners,
+    strays: Strays,
     outbox: Outbox,
     inbox: mpsc::Receiver<Outgoing>,
     streams: Streams,
@@ -117,16 +89,18 @@ pub(super) struct Client {
 }
 
 impl Client {
-    pub(super) fn new(gimbal: Gimbal, read_only: bool, owners: SetpointOwners) -> Self {
+    pub(super) fn new(gimbal: Gimbal, read_only: bool, strays: Strays) -> Self {
         let (sender, inbox) = mpsc::channel(QUEUE);
+        let outbox = Outbox { sender, old: Arc::default() };
+        strays.add(&outbox);
         Self {
             streams: Streams::default(),
             requests: JoinSet::new(),
             pending: Arc::new(Semaphore::new(PENDING)),
-            outbox: Outbox { sender, old: Arc::default() },
+            outbox,
             gimbal,
             read_only,
-            owners,
+            strays,
             inbox,
         }
     }
@@ -183,8 +157,8 @@ impl Client {
     }
 
     fn split(self) -> (Serving, mpsc::Receiver<Outgoing>) {
-        let Self { gimbal, read_only, owners, outbox, inbox, streams, requests, pending } = self;
-        (Serving { gimbal, read_only, owners, outbox, streams, requests, pending }, inbox)
+        let Self { gimbal, read_only, strays, outbox, inbox, streams, requests, pending } = self;
+        (Serving { gimbal, read_only, strays, outbox, streams, requests, pending }, inbox)
     }
 }
 
@@ -201,7 +175,7 @@ fn frame_of(event: &Event<'_>) -> Option<(Version, CommandId, Bytes)> {
 struct Serving {
     gimbal: Gimbal,
     read_only: bool,
-    owners: SetpointOwners,
+    strays: Strays,
     outbox: Outbox,
     streams: Streams,
     requests: JoinSet<()>,
@@ -219,7 +193,7 @@ impl Serving {
 
     async fn carry_out(&mut self, command: CommandId, payload: Bytes) {
         if command == DataStreamInterval::ID {
-            self.streams.register(&self.gimbal, &self.outbox, &payload).await;
+            self.streams.register(&self.gimbal, &self.outbox, &self.strays, &payload).await;
             return;
         }
         let info = RequestInfo::of_payload(command, &payload);
@@ -228,13 +202,13 @@ impl Serving {
             return;
         }
         let answer = info.and_then(|info| info.answer);
+        self.strays.sent(command, answer, &self.outbox);
         match answer {
             Some(answer) if !SETPOINTS.contains(&command) => {
                 let slow = info.is_some_and(|info| info.slow);
                 self.request(command, payload, answer, slow).await;
             }
             _ => {
-                self.owners.set(command, &self.outbox);
                 if let Err(error) = self.gimbal.send_raw(command, payload).await {
                     tracing::debug!(%error, "not sent");
                 }

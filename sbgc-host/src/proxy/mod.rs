@@ -5,12 +5,15 @@
 //!   different versions of the protocol.
 //! - Data streams are shared: equal ones use one registration of the board, at the shortest interval that was asked for
 //!   first; clients that asked for a multiple get each n-th sample. A client's streams end with its connection.
+//! - What the board sends by itself, such as events, traces of scripts and the end of a calibration, goes to the client
+//!   that caused it, or to all.
 //! - With [`ProxyOptions::read_only`], only what asks is passed on, everything else is refused.
 //!
 //! Nothing that one client does holds up another: each has its own bounded queue, loses samples when it does not read,
 //! and is disconnected when it does not even take answers.
 
 mod client;
+mod strays;
 mod streams;
 
 use std::sync::Arc;
@@ -21,7 +24,8 @@ use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
 
 use crate::{Error, Gimbal, LinkState, Result};
-use client::{Client, SetpointOwners};
+use client::Client;
+use strays::Strays;
 
 /// How a proxy behaves.
 ///
@@ -76,9 +80,9 @@ const SETPOINTS: [CommandId; 9] = [
 pub async fn serve(gimbal: &Gimbal, listener: TcpListener, options: ProxyOptions) -> Result<()> {
     let mut state = gimbal.link_state();
     let room = Arc::new(Semaphore::new(options.clients));
-    let owners = SetpointOwners::default();
+    let strays = Strays::default();
     let mut clients = JoinSet::new();
-    clients.spawn(owners.clone().forward(gimbal.clone()));
+    clients.spawn(strays.clone().forward(gimbal.clone()));
     loop {
         tokio::select! {
             ended = state.wait_for(|state| *state != LinkState::Open) => {
@@ -94,7 +98,7 @@ pub async fn serve(gimbal: &Gimbal, listener: TcpListener, options: ProxyOptions
                     tracing::warn!(%peer, "too many clients");
                     continue;
                 };
-                let client = Client::new(gimbal.clone(), options.read_only, owners.clone());
+                let client = Client::new(gimbal.clone(), options.read_only, strays.clone());
                 clients.spawn(async move {
                     tracing::info!(%peer, "client connected");
                     let outcome = client.run(stream).await;

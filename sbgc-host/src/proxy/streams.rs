@@ -9,6 +9,7 @@ use tokio::task::AbortHandle;
 use tokio::task::JoinSet;
 
 use super::client::Outbox;
+use super::strays::Strays;
 use crate::streams::Sample;
 use crate::{Error, Gimbal, StreamRequest, Subscription};
 
@@ -24,7 +25,13 @@ pub(super) struct Streams {
 
 impl Streams {
     /// Carries out a registration and answers it as the board would.
-    pub(super) async fn register(&mut self, gimbal: &Gimbal, outbox: &Outbox, payload: &Bytes) {
+    pub(super) async fn register(
+        &mut self,
+        gimbal: &Gimbal,
+        outbox: &Outbox,
+        strays: &Strays,
+        payload: &Bytes,
+    ) {
         let command = DataStreamInterval::ID;
         let refuse = async |code: ErrorCode| outbox.refuse(command, code.raw(), &[]).await;
         let Ok(wanted) = DataStreamInterval::decode(payload) else { return refuse(ErrorCode::CmdSize).await };
@@ -44,15 +51,12 @@ impl Streams {
         if wanted.interval_ms.0 == 0 {
             return outbox.answer(CommandId::CONFIRM, confirmation).await;
         }
-        // Others may have the stream at another rate, and one that follows the sensors has none.
-        if wanted.sync_to_data == Switch::On {
-            return refuse(ErrorCode::NotSupported).await;
-        }
         if self.running.len() >= MAXIMUM {
             return refuse(ErrorCode::OperationFailed).await;
         }
         match subscribe(gimbal, &wanted).await {
             Ok((subscription, every)) => {
+                strays.streamed(wanted.cmd_id);
                 outbox.answer(CommandId::CONFIRM, confirmation).await;
                 let forwarding = forward(subscription, every, wanted.cmd_id, outbox.clone());
                 self.running.insert(key, self.tasks.spawn(forwarding));
@@ -67,11 +71,13 @@ impl Streams {
 /// Subscribes; where the stream runs already at a shorter interval, that one, with how many samples make one.
 async fn subscribe(gimbal: &Gimbal, wanted: &DataStreamInterval) -> Result<(Subscription, u32), Error> {
     let asked_ms = wanted.interval_ms.0;
+    let synced = wanted.sync_to_data == Switch::On;
     let request = match wanted.source() {
         // The source knows how long its samples are; the bytes that it does not use stay as they came.
         Some(source) => StreamRequest { config: wanted.config.0.0, ..StreamRequest::of(source, asked_ms) },
         None => StreamRequest { config: wanted.config.0.0, ..StreamRequest::new(wanted.cmd_id, asked_ms) },
     };
+    let request = StreamRequest { synced, ..request };
     match gimbal.subscribe(request).await {
         Ok(subscription) => Ok((subscription, 1)),
         Err(Error::StreamInUse { running_ms, .. }) if running_ms > 0 && running_ms < asked_ms => {

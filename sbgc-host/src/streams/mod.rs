@@ -50,6 +50,9 @@ pub struct StreamRequest {
     pub command: CommandId,
     /// Time between two, in milliseconds. 1 is each cycle of the board, 0.8 ms; 0 counts as 1.
     pub interval_ms: u16,
+    /// Whether `interval_ms` counts samples of the IMU attitude instead, with which the messages are then synchronized.
+    /// Firmware 2.70+.
+    pub synced: bool,
     /// What is to be sent, as the message has it: selection flags, the IMU, the event.
     pub config: [u8; 8],
     /// How many payload bytes a sample has, where samples of several configurations can be told apart by that only.
@@ -65,7 +68,7 @@ impl StreamRequest {
     pub const fn new(command: CommandId, interval_ms: u16) -> Self {
         let interval = if interval_ms == 0 { 1 } else { interval_ms as usize };
         let capacity = MIN_CAPACITY + FASTEST / interval;
-        Self { command, interval_ms, config: [0; 8], length: None, capacity }
+        Self { command, interval_ms, synced: false, config: [0; 8], length: None, capacity }
     }
 
     /// What `source` describes, with its configuration and length.
@@ -83,6 +86,7 @@ impl StreamRequest {
         StreamCall {
             shape: Shape { command: self.command.raw(), config: self.config, length: self.length },
             interval_ms: self.interval_ms.max(1),
+            synced: self.synced,
             capacity: self.capacity,
         }
     }
@@ -155,7 +159,17 @@ impl Gimbal {
     ///
     /// Nothing is sent to the board.
     pub fn listen(&self, command: CommandId) -> Subscription {
-        let (number, queue) = self.link().call(|machine, _| machine.listen(command.raw(), CAPACITY));
+        let (number, queue) = self.link().call(|machine, _| machine.listen(Some(command.raw()), CAPACITY));
+        Subscription { queue, number, length: None, gimbal: self.clone() }
+    }
+
+    /// All frames that come from now on and are neither the answer to a request nor a sample of a stream: notices, traces
+    /// of scripts, confirmations of commands that were sent without waiting. Their payloads say which
+    /// [command](Payload::command) they are.
+    ///
+    /// Nothing is sent to the board.
+    pub fn listen_unsolicited(&self) -> Subscription {
+        let (number, queue) = self.link().call(|machine, _| machine.listen(None, CAPACITY));
         Subscription { queue, number, length: None, gimbal: self.clone() }
     }
 }

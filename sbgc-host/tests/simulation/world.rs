@@ -469,7 +469,7 @@ impl World {
             urgent: false,
         });
         let waiter = Asker { number: asked, gone, told: Rc::clone(&self.told) };
-        let call = StreamCall { shape, interval_ms, capacity: 64 };
+        let call = StreamCall { shape, interval_ms, synced: false, capacity: 64 };
         let (number, queue) = self.machine.subscribe(call, waiter);
         let until = self.now + self.dice.millis(20_000);
         let interval = MS(interval_ms.into());

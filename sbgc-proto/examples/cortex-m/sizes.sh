@@ -7,7 +7,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 published=../../src/link/sizes.md
-programs=(decoder chunks telemetry link incoming outgoing)
+programs=(decoder chunks telemetry degrees link incoming outgoing)
 
 section() { # program, names of sections
   size -A "$1" | awk -v names="$2" 'BEGIN { split(names, list, " ") } { for (i in list) if ($1 == list[i]) sum += $2 } END { print sum + 0 }'

@@ -3,17 +3,30 @@
 //! The raw number is all that is on the wire. What it stands for depends on the firmware in some cases, so these types
 //! show and store the raw number, and convert when they are asked to.
 
-/// `base` to the power of `exponent`.
-fn power(mut base: f64, mut exponent: u8) -> f64 {
-    let mut result = 1.0;
-    while exponent > 0 {
-        if exponent & 1 == 1 {
-            result *= base;
+use super::quantity::Scale;
+
+/// The values of a curve for all raw numbers, computed by the compiler.
+type Table = [f32; 256];
+
+/// `factor * base^raw - less`
+#[allow(clippy::indexing_slicing, reason = "only the compiler runs it")]
+#[allow(clippy::cast_possible_truncation, reason = "a float of 32 bits tells all steps apart")]
+const fn exponential(factor: f64, base: f64, less: f64) -> Table {
+    let mut table = [0.0; 256];
+    let mut raw = 0;
+    while raw < table.len() {
+        let (mut power, mut square, mut exponent) = (1.0, base, raw);
+        while exponent > 0 {
+            if exponent & 1 == 1 {
+                power *= square;
+            }
+            square *= square;
+            exponent >>= 1;
         }
-        base *= base;
-        exponent >>= 1;
+        table[raw] = (factor * power - less) as f32;
+        raw += 1;
     }
-    result
+    table
 }
 
 /// The 255th root of 52: each step of a scale from 0 to 255 on which `value + 5` grows evenly in its logarithm.
@@ -26,15 +39,73 @@ const ROOT_OF_500: f64 = 1.024_670_412_549_888_6;
 const ROOT_OF_50: f64 = 1.031_282_662_354_534;
 
 /// `5 * exp(raw * ln(52) / 255) - 5`: 0 for 0, 255 for 255.
-fn logarithmic(raw: u8) -> f64 {
-    5.0 * power(ROOT_OF_52, raw) - 5.0
+static LOGARITHMIC: Table = exponential(5.0, ROOT_OF_52, 5.0);
+
+/// `50^((raw - 1) / 127) / 50`
+static CENTERED: Table = exponential(1.0 / ROOT_OF_50 / 50.0, ROOT_OF_50, 0.0);
+
+/// `0.1 * exp(raw * ln(500) / 255)`
+static FACTOR: Table = exponential(0.1, ROOT_OF_500, 0.0);
+
+fn value_of(table: &Table, raw: u8) -> f32 {
+    table.get(usize::from(raw)).copied().unwrap_or_default()
+}
+
+/// The raw number whose value is nearest; all tables ascend.
+fn nearest(table: &Table, value: f32) -> u8 {
+    let is_nearer = |pair: &[f32]| matches!(pair, [low, high] if value * 2.0 >= low + high);
+    let raw = table.windows(2).take_while(|pair| is_nearer(pair)).count();
+    u8::try_from(raw).unwrap_or(u8::MAX)
+}
+
+/// The raw number on a line of which `offset` steps lie before 0.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "kept within the limits")]
+const fn nearest_on_line(offset: i32, scale: Scale<f32>, value: f32) -> u8 {
+    let raw = (scale.steps(value) as i32).saturating_sub(offset);
+    if raw < 0 {
+        0
+    } else if raw > u8::MAX as i32 {
+        u8::MAX
+    } else {
+        raw as u8
+    }
+}
+
+macro_rules! curve {
+    ($(#[doc = $doc:literal])+ $get:ident / $from:ident table $table:ident) => {
+        $(#[doc = $doc])+
+        #[doc = ""]
+        #[doc = "It is looked up in a table of 1 KiB."]
+        pub fn $get(self) -> f32 {
+            value_of(&$table, self.0)
+        }
+
+        #[doc = concat!("The raw number whose [`", stringify!($get), "`](Self::", stringify!($get),
+            ") is nearest to `value`; 0 for NaN.")]
+        pub fn $from(value: f32) -> Self {
+            Self(nearest(&$table, value))
+        }
+    };
+    ($(#[doc = $doc:literal])+ $get:ident / $from:ident line $offset:literal, $multiply:literal / $divide:literal) => {
+        $(#[doc = $doc])+
+        #[allow(clippy::cast_lossless, reason = "the conversion from a trait is none for constants")]
+        pub const fn $get(self) -> f32 {
+            Scale::<f32>::new($multiply, $divide).value((self.0 as u16 + $offset) as f32)
+        }
+
+        #[doc = concat!("The raw number whose [`", stringify!($get), "`](Self::", stringify!($get),
+            ") is nearest to `value`; 0 for NaN.")]
+        pub const fn $from(value: f32) -> Self {
+            Self(nearest_on_line($offset, Scale::<f32>::new($multiply, $divide), value))
+        }
+    };
 }
 
 macro_rules! curves {
     ($(
         $(#[doc = $doc:literal])+
         $name:ident {
-            $($(#[doc = $get_doc:literal])+ $get:ident / $from:ident = $curve:expr;)+
+            $($(#[doc = $get_doc:literal])+ $get:ident / $from:ident = $kind:ident($($curve:tt)+);)+
         }
     )*) => { $(
         $(#[doc = $doc])+
@@ -44,24 +115,7 @@ macro_rules! curves {
         pub struct $name(pub u8);
 
         impl $name {
-            $(
-                $(#[doc = $get_doc])+
-                #[allow(clippy::cast_possible_truncation, reason = "a float of 32 bits tells all steps apart")]
-                pub fn $get(self) -> f32 {
-                    let curve: fn(u8) -> f64 = $curve;
-                    curve(self.0) as f32
-                }
-
-                #[doc = concat!("The raw number whose [`", stringify!($get), "`](Self::", stringify!($get),
-                    ") is nearest to `value`; 0 for NaN.")]
-                pub fn $from(value: f32) -> Self {
-                    let curve: fn(u8) -> f64 = $curve;
-                    let value = f64::from(value);
-                    let nearest = |raw: &u8| value.is_nan() || value * 2.0 < curve(*raw) + curve(*raw + 1);
-                    // All curves ascend.
-                    Self((0..u8::MAX).find(nearest).unwrap_or(u8::MAX))
-                }
-            )+
+            $(curve!($(#[doc = $get_doc])+ $get / $from $kind $($curve)+);)+
         }
 
         crate::declare::number_type!($name: u8, read |raw| $name(raw), raw |value| value.0);
@@ -95,7 +149,7 @@ curves! {
     /// ```
     PidTerm {
         /// The term as firmware 2.73.1+ has it: `5 * exp(raw * ln(52) / 255) - 5`.
-        logarithmic / from_logarithmic = logarithmic;
+        logarithmic / from_logarithmic = table(LOGARITHMIC);
     }
 
     /// The gain that multiplies all terms of a PID controller.
@@ -108,57 +162,57 @@ curves! {
     /// ```
     PidGain {
         /// The gain as firmware up to 2.73.0 has it: `0.1 + raw * 0.02`.
-        gain / from_gain = |raw| 0.1 + f64::from(raw) * 0.02;
+        gain / from_gain = line(5, 1 / 50);
         /// The gain as firmware 2.73.1+ has it, if the formula is that of the single terms:
         /// `5 * exp(raw * ln(52) / 255) - 5`.
         ///
         /// The vendor gives this formula, and an inverse that does not belong to it but to
         /// [`centered`](Self::centered). Which is right is unknown.
-        logarithmic / from_logarithmic = logarithmic;
+        logarithmic / from_logarithmic = table(LOGARITHMIC);
         /// The gain as firmware 2.73.1+ has it, if the vendor's inverse formula is right:
         /// `50^((raw - 1) / 127) / 50`, which is 1 for raw 128. See [`logarithmic`](Self::logarithmic).
-        centered / from_centered = |raw| power(ROOT_OF_50, raw) / ROOT_OF_50 / 50.0;
+        centered / from_centered = table(CENTERED);
     }
 
     /// The quality of a low-pass filter, as its inverse.
     InverseQuality {
         /// The inverse of the quality: `0.2 + raw * 0.02`.
-        inverse_quality / from_inverse_quality = |raw| 0.2 + f64::from(raw) * 0.02;
+        inverse_quality / from_inverse_quality = line(10, 1 / 50);
     }
 
     /// The factor of the outer loop's proportional term in servo mode.
     ServoFactor {
         /// The factor: `0.1 * exp(raw * ln(500) / 255)`.
-        factor / from_factor = |raw| 0.1 * power(ROOT_OF_500, raw);
+        factor / from_factor = table(FACTOR);
     }
 
     /// The outer loop's integral term in servo mode.
     ServoTerm {
         /// The term: `5 * exp(raw * ln(52) / 255) - 5`.
-        term / from_term = logarithmic;
+        term / from_term = table(LOGARITHMIC);
     }
 
     /// The base frequency of the shake generator.
     ShakeFrequency {
         /// The frequency in Hz: `0.3 + raw * 0.05`.
-        hertz / from_hertz = |raw| 0.3 + f64::from(raw) * 0.05;
+        hertz / from_hertz = line(6, 1 / 20);
     }
 
     /// The frequency of resonance of the shake generator.
     ShakeResonance {
         /// The frequency in Hz: `0.3 + raw * 0.1`.
-        hertz / from_hertz = |raw| 0.3 + f64::from(raw) * 0.1;
+        hertz / from_hertz = line(3, 1 / 10);
     }
 
     /// The range of frequencies of the shake generator, as a multiple of its base frequency.
     ShakeRange {
         /// The multiple: `1.5 + raw * 0.1`.
-        multiple / from_multiple = |raw| 1.5 + f64::from(raw) * 0.1;
+        multiple / from_multiple = line(15, 1 / 10);
     }
 
     /// The period of pauses of the shake generator.
     ShakePause {
         /// The period in milliseconds: `500 + raw * 20`.
-        milliseconds / from_milliseconds = |raw| 500.0 + f64::from(raw) * 20.0;
+        milliseconds / from_milliseconds = line(25, 20 / 1);
     }
 }

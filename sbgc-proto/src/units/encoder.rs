@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::quantity::steps;
+use super::quantity::{Scale, WholeScale};
 use crate::wire::U24;
 
 /// The raw angle of an encoder, in steps of 24 bits per turn.
@@ -19,19 +19,53 @@ pub struct EncoderAngle(pub U24);
 
 impl EncoderAngle {
     const STEPS: u32 = 1 << 24;
+    const SCALE: Scale<f64> = Scale::<f64>::new(360, Self::STEPS);
+    const WHOLE: WholeScale = WholeScale::new(360, Self::STEPS);
+    const MILLI: WholeScale = WholeScale::new(360_000, Self::STEPS);
+    const LIMITS: (i64, i64) = (0, Self::STEPS as i64);
 
     /// The angle in deg, from 0 to a full turn.
-    pub fn degrees(self) -> f64 {
-        f64::from(self.0.get()) * 360.0 / f64::from(Self::STEPS)
+    pub const fn degrees(self) -> f64 {
+        Self::SCALE.value(self.0.get() as f64)
     }
 
     /// The nearest raw number for an angle in deg, of any number of turns; 0 for NaN.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within a turn")]
-    pub fn from_degrees(value: f64) -> Self {
+    pub const fn from_degrees(value: f64) -> Self {
         let turn = value % 360.0;
         let turn = if turn < 0.0 { turn + 360.0 } else { turn };
-        let raw = steps(turn, 360.0, f64::from(Self::STEPS)) as u32;
-        Self((raw % Self::STEPS).try_into().unwrap_or(U24::MAX))
+        Self::of_steps(Self::SCALE.steps(turn) as u32)
+    }
+
+    /// The angle in deg, rounded to the nearest: 0 to 360. Integers alone do it.
+    pub const fn whole_degrees(self) -> i32 {
+        Self::WHOLE.value(self.0.get() as i64, Self::LIMITS)
+    }
+
+    /// The angle in thousandths of a deg, rounded to the nearest: 0 to 360000. Integers alone do it.
+    pub const fn millidegrees(self) -> i32 {
+        Self::MILLI.value(self.0.get() as i64, Self::LIMITS)
+    }
+
+    /// The nearest raw number for an angle in deg, of any number of turns. Integers alone do it.
+    pub const fn from_whole_degrees(value: i32) -> Self {
+        Self::of_turn(Self::WHOLE.raw(value.rem_euclid(360), Self::LIMITS))
+    }
+
+    /// The nearest raw number for an angle in thousandths of a deg, of any number of turns. Integers alone do it.
+    pub const fn from_millidegrees(value: i32) -> Self {
+        Self::of_turn(Self::MILLI.raw(value.rem_euclid(360_000), Self::LIMITS))
+    }
+
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within a turn")]
+    const fn of_turn(steps: i64) -> Self {
+        Self::of_steps(steps as u32)
+    }
+
+    /// A full turn is none.
+    const fn of_steps(steps: u32) -> Self {
+        let [low, middle, high, _] = steps.to_le_bytes();
+        Self(U24::from_le_bytes([low, middle, high]))
     }
 }
 

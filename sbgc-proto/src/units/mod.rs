@@ -2,13 +2,19 @@
 //!
 //! Each holds the raw number, which stays reachable as field `0`, and converts to and from the physical value. From a
 //! value, `from_…` goes to the nearest raw number and stops at the ends of the wire's range; `try_from_…` refuses what
-//! is beyond them, and NaN.
+//! is beyond them, and NaN. Both are `const`, and compute in the float type that they take: `f32` for raw numbers of
+//! up to 16 bits, whose values it gives exactly as they would be rounded from more digits, `f64` for longer ones.
+//!
+//! Angles and rates also come in whole numbers of their unit or of a thousandth of it, for processors on which even an
+//! `f32` is computed in software.
 //!
 //! ```
 //! use sbgc_proto::units::Angle;
 //!
 //! assert_eq!(Angle::from_degrees(90.0), Angle(4096));
 //! assert_eq!(Angle(-2048).degrees(), -45.0);
+//! assert_eq!(Angle::from_whole_degrees(-45), Angle(-2048));
+//! assert_eq!(Angle(1).millidegrees(), 22);
 //! assert!(Angle::try_from_degrees(1000.0).is_err());
 //! ```
 
@@ -32,16 +38,27 @@ use quantity::quantities;
 
 quantities! {
     /// Angle in steps of 14 bits per turn.
-    Angle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384;
+    Angle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, whole {
+        whole_degrees / from_whole_degrees: 1, "deg";
+        millidegrees / from_millidegrees: 1000, "thousandths of a deg";
+    };
 
     /// Angle over many turns, in steps of 14 bits per turn.
-    LongAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 16384;
+    LongAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 16384, whole {
+        whole_degrees / from_whole_degrees: 1, "deg";
+    };
 
     /// Angle in steps of 20 bits per turn.
-    FineAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 1_048_576;
+    FineAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 1_048_576, whole {
+        whole_degrees / from_whole_degrees: 1, "deg";
+        millidegrees / from_millidegrees: 1000, "thousandths of a deg";
+    };
 
     /// Distance to a limit, in steps of 14 bits per turn.
-    LimitDistance(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
+    LimitDistance(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, whole {
+        whole_degrees / from_whole_degrees: 1, "deg";
+        millidegrees / from_millidegrees: 1000, "thousandths of a deg";
+    }, special {
         /// No limit, or an unknown one.
         UNKNOWN = 32767;
     };
@@ -53,30 +70,46 @@ quantities! {
     };
 
     /// The heading of the frame against North.
-    FrameHeading(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, special {
+    FrameHeading(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, whole {
+        whole_degrees / from_whole_degrees: 1, "deg";
+        millidegrees / from_millidegrees: 1000, "thousandths of a deg";
+    }, special {
         /// Stop to use the heading as a reference.
         STOP_REFERENCE = 32767;
     };
 
     /// Angular rate as used in control commands, in steps of 0.1220740379 degrees per second.
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
-        "deg/s", 4000 / 32767;
+        "deg/s", 4000 / 32767, whole {
+        whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
+        millidegrees_per_second / from_millidegrees_per_second: 1000, "thousandths of a deg/s";
+    };
 
     /// Limit of the angular rate, in the steps of control commands.
     ControlRateLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
-        "deg/s", 4000 / 32767;
+        "deg/s", 4000 / 32767, whole {
+        whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
+        millidegrees_per_second / from_millidegrees_per_second: 1000, "thousandths of a deg/s";
+    };
 
     /// Angular rate in high-resolution control commands: thousandths of a degree per second in 16 bits.
     FineControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
-        "deg/s", 1 / 1000;
+        "deg/s", 1 / 1000, whole {
+        whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
+    };
 
     /// Angular rate as reported by sensors, in steps of 0.06103701895 degrees per second.
     SensorRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
-        "deg/s", 2000 / 32767;
+        "deg/s", 2000 / 32767, whole {
+        whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
+        millidegrees_per_second / from_millidegrees_per_second: 1000, "thousandths of a deg/s";
+    };
 
     /// Angular rate in thousandths of a degree per second.
     FineRate(i32): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f64,
-        "deg/s", 1 / 1000;
+        "deg/s", 1 / 1000, whole {
+        whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
+    };
 
     /// Angular rate in millionths of a radian per second.
     MicroRate(i32): radians_per_second / from_radians_per_second / try_from_radians_per_second -> f64,
@@ -240,7 +273,10 @@ quantities! {
     MagneticLink(u16): strength / from_strength / try_from_strength -> f32, "", 1 / 100;
 
     /// A correction of how a sensor is mounted.
-    CorrectionAngle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 100;
+    CorrectionAngle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 100, whole {
+        whole_degrees / from_whole_degrees: 1, "deg";
+        millidegrees / from_millidegrees: 1000, "thousandths of a deg";
+    };
 
     /// A part of a time.
     TimeShare(u8): percent / from_percent / try_from_percent -> f32, "%", 1 / 5;

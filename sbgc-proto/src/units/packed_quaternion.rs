@@ -28,26 +28,22 @@ pub struct PackedQuaternion(pub Bytes<8>);
 
 impl PackedQuaternion {
     /// Steps of a component: the maximum of those that are kept is the square root of 1/2.
-    const STEPS: f64 = 741_453.785_975_902_9;
+    const STEPS: f32 = 741_453.8;
 
     /// The quaternion w, x, y, z.
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_precision_loss,
-        reason = "a float holds the 19 bits of a component"
-    )]
+    #[allow(clippy::cast_precision_loss, reason = "a float holds the 19 bits of a component")]
     pub fn unpack(self) -> [f32; 4] {
         let bits = u64::from_le_bytes(self.0.0);
-        let signed = |value: f64, negative: u64| if negative == 0 { value } else { -value };
+        let signed = |value: f32, negative: u64| if negative == 0 { value } else { -value };
         let mut squares = 0.0;
         let mut kept = [0, 20, 40].into_iter().map(|shift| {
-            let value = (bits >> shift & 0x7_FFFF) as f64 / Self::STEPS;
+            let value = (bits >> shift & 0x7_FFFF) as f32 / Self::STEPS;
             squares += value * value;
-            signed(value, bits >> shift & 0x8_0000) as f32
+            signed(value, bits >> shift & 0x8_0000)
         });
         let largest = bits >> 60 & 3;
         let quaternion = [0, 1, 2, 3].map(|index| if index == largest { None } else { kept.next() });
-        let left_out = signed(square_root(1.0 - squares), bits >> 62 & 1) as f32;
+        let left_out = signed(square_root(1.0 - squares), bits >> 62 & 1);
         quaternion.map(|component| component.unwrap_or(left_out))
     }
 
@@ -64,13 +60,13 @@ impl PackedQuaternion {
         let mut shift = 0;
         for (index, component) in (0_u64..).zip(quaternion) {
             if index != largest.0 {
-                let steps = f64::from(component.abs()) * Self::STEPS + 0.5;
+                let steps = component.abs() * Self::STEPS + 0.5;
                 #[allow(
                     clippy::cast_possible_truncation,
                     clippy::cast_sign_loss,
                     reason = "the cast rounds, and saturates what is not of length 1"
                 )]
-                let magnitude = (steps as u64).min(0x7_FFFF);
+                let magnitude = u64::from((steps as u32).min(0x7_FFFF));
                 bits |= (magnitude | u64::from(component < 0.0) << 19) << shift;
                 shift += 20;
             }
@@ -81,10 +77,10 @@ impl PackedQuaternion {
 
 /// The square root of a number from 1/4 to 1, which is what is left for the largest of four components; 0 for less than
 /// nothing.
-fn square_root(square: f64) -> f64 {
+fn square_root(square: f32) -> f32 {
     if square <= 0.0 {
         return 0.0;
     }
     // Newton's method doubles the digits each time.
-    (0..6).fold(1.0, |root, _| f64::midpoint(root, square / root))
+    (0..5).fold(1.0, |root, _| (root + square / root) * 0.5)
 }

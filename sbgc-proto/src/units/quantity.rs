@@ -1,9 +1,126 @@
 //! The rule by which every quantity that is in proportion to its raw number gets its type.
+//!
+//! Conversions compute in the float type that they return, or in integers: a microcontroller without a double-precision
+//! unit pays for `f64` only where a quantity has more bits than an `f32` holds.
 
-/// `value` in raw steps, rounded to the nearest, half away from zero.
-pub(super) fn steps(value: f64, multiply: f64, divide: f64) -> f64 {
-    let raw = value * divide / multiply;
-    raw + if raw < 0.0 { -0.5 } else { 0.5 }
+/// How many units `multiply / divide` make a raw step; as a fraction, because few scales are exact in a float.
+#[derive(Clone, Copy)]
+pub(super) struct Scale<F> {
+    multiply: F,
+    divide: F,
+    /// `multiply / divide` where a float holds it.
+    factor: Option<F>,
+}
+
+/// Both numbers without their common divisor.
+const fn reduced(multiply: u32, divide: u32) -> (u32, u32) {
+    let (mut divisor, mut rest) = (multiply, divide);
+    while rest > 0 {
+        (divisor, rest) = (rest, divisor % rest);
+    }
+    (multiply / divisor, divide / divisor)
+}
+
+macro_rules! scales {
+    ($($float:ident)*) => { $(
+        impl Scale<$float> {
+            #[allow(clippy::cast_lossless, clippy::cast_precision_loss, reason = "scales are small numbers")]
+            pub(super) const fn new(multiply: u32, divide: u32) -> Self {
+                let (multiply, divide) = reduced(multiply, divide);
+                let exact = divide.is_power_of_two();
+                let (multiply, divide) = (multiply as $float, divide as $float);
+                Self { multiply, divide, factor: if exact { Some(multiply / divide) } else { None } }
+            }
+
+            /// The value of so many steps, the nearest that the float type has.
+            #[inline]
+            pub(super) const fn value(self, steps: $float) -> $float {
+                match self.factor {
+                    Some(factor) => steps * factor,
+                    // The product is exact, so only the division rounds.
+                    None => steps * self.multiply / self.divide,
+                }
+            }
+
+            /// A number that becomes the nearest number of steps where the digits behind its point are cut off, half
+            /// away from zero.
+            #[inline]
+            pub(super) const fn steps(self, value: $float) -> $float {
+                // The greatest number below 1/2: the sum of it and a number just below 1/2 is not rounded to 1.
+                const HALF: $float = 0.5 - $float::EPSILON / 4.0;
+                let steps = value * self.divide / self.multiply;
+                steps + if steps < 0.0 { -HALF } else { HALF }
+            }
+        }
+    )* };
+}
+
+scales!(f32 f64);
+
+/// A [`Scale`] for whole numbers of a unit.
+#[derive(Clone, Copy)]
+pub(super) struct WholeScale {
+    multiply: u32,
+    divide: u32,
+}
+
+impl WholeScale {
+    pub(super) const fn new(multiply: u32, divide: u32) -> Self {
+        let (multiply, divide) = reduced(multiply, divide);
+        Self { multiply, divide }
+    }
+
+    /// The scale of the way back.
+    const fn inverse(self) -> Self {
+        Self { multiply: self.divide, divide: self.multiply }
+    }
+
+    /// `number * multiply / divide`, rounded to the nearest, half away from zero. No number has a greater magnitude than
+    /// `limit`, a constant: it decides whether 32 bits are enough.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_possible_wrap, reason = "checked by the limit")]
+    const fn scaled(self, number: i64, limit: i64) -> i64 {
+        let (multiply, divide) = (self.multiply as i64, self.divide as i64);
+        if limit * multiply + divide <= i32::MAX as i64 {
+            let (product, divide) = (number as i32 * multiply as i32, divide as i32);
+            let half = if product < 0 { -(divide / 2) } else { divide / 2 };
+            ((product + half) / divide) as i64
+        } else {
+            let product = number * multiply;
+            let half = if product < 0 { -(divide / 2) } else { divide / 2 };
+            (product + half) / divide
+        }
+    }
+
+    /// The value of `raw`, a raw number of the range `least..=most`.
+    #[inline]
+    #[allow(clippy::cast_possible_truncation, reason = "a scale is declared only where the values fit")]
+    pub(super) const fn value(self, raw: i64, (least, most): (i64, i64)) -> i32 {
+        self.scaled(raw, if most > -least { most } else { -least }) as i32
+    }
+
+    /// The raw number of the range `least..=most` that is nearest to `value`.
+    #[inline]
+    pub(super) const fn raw(self, value: i32, (least, most): (i64, i64)) -> i64 {
+        // One further than the values of the limits, which are rounded.
+        let (lower, upper) = (self.value(least, (least, most)) - 1, self.value(most, (least, most)) + 1);
+        let value = if value < lower {
+            lower
+        } else if value > upper {
+            upper
+        } else {
+            value
+        };
+        let limit = if upper > -lower { upper as i64 } else { -(lower as i64) };
+        let raw = self.inverse().scaled(value as i64, limit);
+        if raw < least {
+            least
+        } else if raw > most {
+            most
+        } else {
+            raw
+        }
+    }
 }
 
 /// The documentation of a unit and its scale, for quantities with and without a symbol.
@@ -29,6 +146,7 @@ macro_rules! quantities {
         $(#[doc = $doc:literal])+
         $name:ident($integer:ident): $get:ident / $from:ident / $try_from:ident -> $float:ident,
         $unit:tt, $multiply:literal / $divide:literal
+        $(, whole { $($whole:ident / $from_whole:ident: $part:literal, $whole_unit:literal;)* })?
         $(, special { $($(#[doc = $special_doc:literal])+ $special:ident = $special_raw:literal;)* })?
         $(, names { $($(#[doc = $name_doc:literal])+ $named:ident = $name_raw:literal;)* })?;
     )*) => { $(
@@ -67,32 +185,56 @@ macro_rules! quantities {
                 }
             )?
 
+            const SCALE: quantity::Scale<$float> = quantity::Scale::<$float>::new($multiply, $divide);
+
             #[doc = concat!("The physical value", quantity::in_unit!($unit), ".")]
-            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss,
-                reason = "the float type was chosen to hold every raw number")]
-            pub fn $get(self) -> $float {
-                (f64::from(self.0) * $multiply as f64 / $divide as f64) as $float
+            #[inline]
+            #[allow(clippy::cast_lossless, reason = "the conversion from a trait is none for constants")]
+            pub const fn $get(self) -> $float {
+                Self::SCALE.value(self.0 as $float)
             }
 
             #[doc = concat!("The nearest raw number for a value", quantity::in_unit!($unit),
                 ", saturating at the limits of the wire; NaN becomes 0.")]
-            #[allow(clippy::cast_possible_truncation, clippy::cast_lossless, clippy::cast_precision_loss,
-                clippy::cast_sign_loss, reason = "the cast from float to integer is the saturation that is wanted")]
-            pub fn $from(value: $float) -> Self {
-                Self(quantity::steps(f64::from(value), $multiply as f64, $divide as f64) as $integer)
+            #[inline]
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss,
+                reason = "the cast from float to integer is the saturation that is wanted")]
+            pub const fn $from(value: $float) -> Self {
+                Self(Self::SCALE.steps(value) as $integer)
             }
 
             #[doc = concat!("The nearest raw number for a value", quantity::in_unit!($unit), ".")]
             #[doc = ""]
             #[doc = "# Errors"]
             #[doc = "If the value is NaN or beyond what the wire can hold."]
-            #[allow(clippy::cast_lossless, clippy::cast_precision_loss, reason = "limits of 32 bits fit a float")]
-            pub fn $try_from(value: $float) -> Result<Self, crate::OutOfRange> {
-                let raw = quantity::steps(f64::from(value), $multiply as f64, $divide as f64);
+            #[inline]
+            #[allow(clippy::cast_lossless, reason = "limits fit the float")]
+            pub const fn $try_from(value: $float) -> Result<Self, crate::OutOfRange> {
+                let raw = Self::SCALE.steps(value);
                 // The cast cuts off what is behind the point: only a whole step beyond the limits is out of them.
-                let (least, most) = ($integer::MIN as f64 - 1.0, $integer::MAX as f64 + 1.0);
+                let (least, most) = ($integer::MIN as $float - 1.0, $integer::MAX as $float + 1.0);
                 if raw > least && raw < most { Ok(Self::$from(value)) } else { Err(Self::LIMITS) }
             }
+
+            $($(
+                #[doc = concat!("The value in ", $whole_unit, ", rounded to the nearest. Integers alone do it.")]
+                #[inline]
+                #[allow(clippy::cast_lossless, reason = "the conversion from a trait is none for constants")]
+                pub const fn $whole(self) -> i32 {
+                    const SCALE: quantity::WholeScale = quantity::WholeScale::new($multiply * $part, $divide);
+                    SCALE.value(self.0 as i64, ($integer::MIN as i64, $integer::MAX as i64))
+                }
+
+                #[doc = concat!("The nearest raw number for a value in ", $whole_unit,
+                    ", saturating at the limits of the wire. Integers alone do it.")]
+                #[inline]
+                #[allow(clippy::cast_lossless, reason = "the conversion from a trait is none for constants")]
+                #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "kept within the limits")]
+                pub const fn $from_whole(value: i32) -> Self {
+                    const SCALE: quantity::WholeScale = quantity::WholeScale::new($multiply * $part, $divide);
+                    Self(SCALE.raw(value, ($integer::MIN as i64, $integer::MAX as i64)) as $integer)
+                }
+            )*)?
 
             /// The physical values of the smallest and the largest raw number.
             #[allow(clippy::cast_lossless, clippy::cast_precision_loss, reason = "limits of 32 bits fit a float")]
@@ -160,13 +302,23 @@ macro_rules! quantities {
                     use super::$name;
 
                     let number = |raw: i64| $name(raw.try_into().unwrap());
+                    let limits = (i64::from($integer::MIN), i64::from($integer::MAX));
                     super::tests::check_quantity(&super::tests::Quantity {
-                        limits: (i64::from($integer::MIN), i64::from($integer::MAX)),
+                        limits,
                         step: $multiply as f64 / $divide as f64,
                         get: &|raw| f64::from(number(raw).$get()),
+                        nearest: &|raw| f64::from((raw as f64 * $multiply as f64 / $divide as f64) as $float),
                         from: &|value| i64::from($name::$from(value as $float).0),
                         try_from: &|value| $name::$try_from(value as $float).ok().map(|value| i64::from(value.0)),
                     });
+                    $($(
+                        super::tests::check_whole(&super::tests::WholeQuantity {
+                            limits,
+                            scale: ($multiply * $part, $divide),
+                            get: &|raw| number(raw).$whole(),
+                            from: &|value| i64::from($name::$from_whole(value).0),
+                        });
+                    )*)?
                 }
             )*
         }

@@ -11,6 +11,8 @@ pub(super) struct Quantity<'f> {
     pub(super) limits: (i64, i64),
     pub(super) step: f64,
     pub(super) get: &'f dyn Fn(i64) -> f64,
+    /// What `get` should be: the value in double precision, rounded once.
+    pub(super) nearest: &'f dyn Fn(i64) -> f64,
     pub(super) from: &'f dyn Fn(f64) -> i64,
     pub(super) try_from: &'f dyn Fn(f64) -> Option<i64>,
 }
@@ -21,6 +23,7 @@ pub(super) fn check_quantity(quantity: &Quantity<'_>) {
     let (least, most) = quantity.limits;
     let returns = |raw: i64| {
         let value = (quantity.get)(raw);
+        assert_eq!(value.to_bits(), (quantity.nearest)(raw).to_bits(), "{raw}");
         assert_eq!((quantity.from)(value), raw, "{value}");
         assert_eq!((quantity.try_from)(value), Some(raw), "{value}");
     };
@@ -51,6 +54,53 @@ pub(super) fn check_quantity(quantity: &Quantity<'_>) {
     }
 }
 
+/// What the tests of whole numbers need to know of a quantity.
+pub(super) struct WholeQuantity<'f> {
+    pub(super) limits: (i64, i64),
+    /// Value of a step as a fraction.
+    pub(super) scale: (i64, i64),
+    pub(super) get: &'f dyn Fn(i64) -> i32,
+    pub(super) from: &'f dyn Fn(i32) -> i64,
+}
+
+/// That whole numbers are the nearest in both directions, and saturate.
+pub(super) fn check_whole(quantity: &WholeQuantity<'_>) {
+    let (least, most) = quantity.limits;
+    let (multiply, divide) = quantity.scale;
+    let nearest = |number: i64, multiply: i64, divide: i64| {
+        let (product, divide) = (2 * i128::from(number) * i128::from(multiply), i128::from(divide));
+        let rounded = (product.abs() + divide) / (2 * divide) * product.signum();
+        i64::try_from(rounded).unwrap()
+    };
+    let check_value = |raw: i64| {
+        assert_eq!(i64::from((quantity.get)(raw)), nearest(raw, multiply, divide), "{raw}");
+    };
+    let check_raw = |value: i32| {
+        let raw = nearest(value.into(), divide, multiply).clamp(least, most);
+        assert_eq!((quantity.from)(value), raw, "{value}");
+    };
+    let ends = [least, least + 1, -1, 0, 1, most - 1, most];
+    ends.into_iter().filter(|raw| (least..=most).contains(raw)).for_each(check_value);
+    for value in [i32::MIN, -360_001, -180, -1, 0, 1, 45, 180, 360, 720, 1000, 360_001, i32::MAX] {
+        check_raw(value);
+    }
+    proptest!(|(raw in RangeInclusive::new(least, most), near in -800_000..800_000, any in any::<i32>())| {
+        check_value(raw);
+        check_raw(near);
+        check_raw(any);
+    });
+}
+
+#[test]
+fn conversions_are_constants() {
+    const DOWN: Angle = Angle::from_degrees(-45.0);
+    const FAST: ControlRate = ControlRate::from_whole_degrees_per_second(30);
+    const LEVEL: f32 = DOWN.degrees();
+    assert_eq!((DOWN, LEVEL, FAST), (Angle(-2048), -45.0, ControlRate::from_degrees_per_second(30.0)));
+    assert_eq!(Angle::from_whole_degrees(i32::MAX), Angle(i16::MAX));
+    assert_eq!(Angle::from_millidegrees(-500).millidegrees(), -505);
+}
+
 #[test]
 fn values_between_two_steps_go_to_the_nearest_and_halves_away_from_zero() {
     // A step is 45/2048 degrees, which a float holds.
@@ -60,6 +110,8 @@ fn values_between_two_steps_go_to_the_nearest_and_halves_away_from_zero() {
         (-0.0, 0),
         (0.25, 0),
         (-0.25, 0),
+        (0.499_999_97, 0),
+        (-0.499_999_97, 0),
         (0.5, 1),
         (-0.5, -1),
         (0.75, 1),
@@ -107,6 +159,65 @@ fn angles_of_encoders_go_round() {
     for degrees in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         assert_eq!(EncoderAngle::from_degrees(degrees), EncoderAngle::default(), "{degrees}");
     }
+}
+
+#[test]
+fn angles_of_encoders_in_whole_numbers() {
+    for raw in (0..1 << 24).step_by(997).chain([1, (1 << 24) - 1]) {
+        let angle = EncoderAngle(raw.try_into().unwrap());
+        let degrees = angle.degrees();
+        assert!((f64::from(angle.whole_degrees()) - degrees).abs() <= 0.5, "{raw}");
+        assert!((f64::from(angle.millidegrees()) - degrees * 1000.0).abs() <= 0.5, "{raw}");
+    }
+    for (degrees, raw) in [(90, 1 << 22), (-90, 3 << 22), (720, 0), (i32::MAX, 127 * (1 << 24) / 360)] {
+        let angle = EncoderAngle::from_whole_degrees(degrees);
+        assert!(angle.0.get().abs_diff(raw) <= 1, "{degrees}");
+    }
+    for millidegrees in (0..360_000).step_by(37) {
+        let angle = EncoderAngle::from_millidegrees(millidegrees);
+        assert_eq!(angle, EncoderAngle::from_degrees(f64::from(millidegrees) / 1000.0), "{millidegrees}");
+        assert_eq!(angle.millidegrees(), millidegrees);
+    }
+    assert_eq!(EncoderAngle::from_millidegrees(-90_000), EncoderAngle::from_degrees(270.0));
+}
+
+#[test]
+fn curves_go_through_their_formulas() {
+    let logarithmic = |raw: f64| 5.0 * (raw * 52_f64.ln() / 255.0).exp() - 5.0;
+    for raw in 0..=255 {
+        let number = f64::from(raw);
+        for (value, expected) in [
+            (PidTerm(raw).logarithmic(), logarithmic(number)),
+            (PidGain(raw).gain(), 0.1 + number * 0.02),
+            (PidGain(raw).logarithmic(), logarithmic(number)),
+            (PidGain(raw).centered(), 50_f64.powf((number - 1.0) / 127.0) / 50.0),
+            (InverseQuality(raw).inverse_quality(), 0.2 + number * 0.02),
+            (ServoFactor(raw).factor(), 0.1 * (number * 500_f64.ln() / 255.0).exp()),
+            (ServoTerm(raw).term(), logarithmic(number)),
+            (ShakeFrequency(raw).hertz(), 0.3 + number * 0.05),
+            (ShakeResonance(raw).hertz(), 0.3 + number * 0.1),
+            (ShakeRange(raw).multiple(), 1.5 + number * 0.1),
+            (ShakePause(raw).milliseconds(), 500.0 + number * 20.0),
+        ] {
+            assert!(
+                (f64::from(value) - expected).abs() <= expected.abs() * 1e-7,
+                "{raw}: {value} {expected}"
+            );
+        }
+        assert_eq!(PidTerm::from_logarithmic(PidTerm(raw).logarithmic()), PidTerm(raw));
+        assert_eq!(PidGain::from_gain(PidGain(raw).gain()), PidGain(raw));
+        assert_eq!(PidGain::from_centered(PidGain(raw).centered()), PidGain(raw));
+        assert_eq!(ServoFactor::from_factor(ServoFactor(raw).factor()), ServoFactor(raw));
+        assert_eq!(ShakePause::from_milliseconds(ShakePause(raw).milliseconds()), ShakePause(raw));
+    }
+    for (value, raw) in [(f32::NEG_INFINITY, 0), (-1.0, 0), (1e9, 255), (f32::INFINITY, 255), (f32::NAN, 0)] {
+        assert_eq!(PidTerm::from_logarithmic(value), PidTerm(raw), "{value}");
+        assert_eq!(PidGain::from_gain(value), PidGain(raw), "{value}");
+    }
+    assert_eq!(
+        (ShakePause::from_milliseconds(509.0), ShakePause::from_milliseconds(511.0)),
+        (ShakePause(0), ShakePause(1))
+    );
 }
 
 #[test]

@@ -58,6 +58,11 @@ impl U24 {
     /// Maximum value, 2^24 - 1.
     pub const MAX: Self = Self([0xFF; 3]);
 
+    /// The number of these bytes, low byte first.
+    pub const fn from_le_bytes(bytes: [u8; 3]) -> Self {
+        Self(bytes)
+    }
+
     /// The number as 32 bits.
     pub const fn get(self) -> u32 {
         let [low, middle, high] = self.0;

@@ -10,10 +10,10 @@ use sbgc_proto::link::{Millis, PortError, Update};
 use sbgc_proto::units::{Angle, ControlRate, StreamInterval};
 use sbgc_proto::wire::PerAxis;
 
-/// Where the camera is to look: 20 degrees down, in steps of 14 bits a turn, which needs no float.
-const PITCH: Angle = Angle(20 * (16384 / 360));
+/// Where the camera is to look: 20 degrees down.
+const PITCH: Angle = Angle::from_whole_degrees(20);
 /// Near enough: a degree.
-const TOLERANCE: i16 = 16384 / 360;
+const TOLERANCE: i16 = Angle::from_whole_degrees(1).0;
 /// How long the camera may take.
 const PATIENCE_MS: Millis = 20_000;
 /// How often a command is sent whose confirmation was lost.

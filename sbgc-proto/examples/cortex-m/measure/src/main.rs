@@ -10,6 +10,7 @@ use cortex_m::peripheral::syst::SystClkSource;
 use cortex_m_semihosting::{debug, hprintln};
 use sbgc_proto::commands::RealtimeData4;
 use sbgc_proto::frame::{Decoder, MAX_FRAME, Version, Versions, encode_into};
+use sbgc_proto::units::Angle;
 use sbgc_proto::{CommandId, IncomingCommand, Message, OutgoingCommand};
 
 /// Nothing here can panic in a way that matters: a measurement is all that is lost.
@@ -67,6 +68,22 @@ fn main() -> ! {
         black_box(&RealtimeData4::decode(black_box(&[3; 124])));
     });
     hprintln!("CMD_REALTIME_DATA_4 decoded: {} instructions", count);
+    // The loop around a call takes some, too.
+    let empty = instructions(|| {
+        black_box(black_box(Angle(4321)));
+    });
+    let count = instructions(|| {
+        black_box(black_box(Angle(4321)).degrees());
+    });
+    hprintln!("an angle to degrees: {} instructions", count.saturating_sub(empty));
+    let count = instructions(|| {
+        black_box(Angle::from_degrees(black_box(94.9)));
+    });
+    hprintln!("degrees to an angle: {} instructions", count.saturating_sub(empty));
+    let count = instructions(|| {
+        black_box(Angle::from_millidegrees(black_box(94_900)));
+    });
+    hprintln!("thousandths of a degree to an angle: {} instructions", count.saturating_sub(empty));
     hprintln!("stack, decoder: {} bytes", stack(push));
     hprintln!("stack, incoming: {} bytes", stack(incoming));
     hprintln!("stack, outgoing: {} bytes", stack(outgoing));

@@ -28,7 +28,7 @@ impl ConfigFile {
         let Some(path) = places::config().map(|directory| directory.join("config.toml")) else {
             return Ok(Self::default());
         };
-        match fs::read_to_string(&path) {
+        match fs::read(&path) {
             Ok(content) => Self::parse(&path, &content, keys).map_err(Failure::Usage),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(Self::default()),
             Err(error) if error.kind() == io::ErrorKind::NotADirectory => Ok(Self::default()),
@@ -36,9 +36,11 @@ impl ConfigFile {
         }
     }
 
-    fn parse(path: &Path, content: &str, keys: &[&str]) -> Result<Self, String> {
-        let path = path.display().to_string();
-        let line_of = |at: usize| content.bytes().take(at).filter(|byte| *byte == b'\n').count() + 1;
+    fn parse(path: &Path, content: &[u8], keys: &[&str]) -> Result<Self, String> {
+        let path = text::escape(&path.display().to_string()).into_owned();
+        let line_of = |at: usize| content.iter().take(at).filter(|byte| **byte == b'\n').count() + 1;
+        let content = str::from_utf8(content)
+            .map_err(|error| format!("{path}:{}: not UTF-8 text", line_of(error.valid_up_to())))?;
         let table = DeTable::parse(content).map_err(|error| {
             let line = line_of(error.span().map_or(0, |span| span.start));
             format!("{path}:{line}: {}", error.message())
@@ -77,7 +79,7 @@ mod tests {
     use super::*;
 
     fn parse(content: &str) -> Result<ConfigFile, String> {
-        ConfigFile::parse(Path::new("c.toml"), content, &["port", "baud", "json"])
+        ConfigFile::parse(Path::new("c.toml"), content.as_bytes(), &["port", "baud", "json"])
     }
 
     #[test]
@@ -96,6 +98,8 @@ mod tests {
             "c.toml:2: unknown key \"buad\"; did you mean baud?"
         );
         assert!(parse("port = \"sim\"\n\n[x").unwrap_err().starts_with("c.toml:3: "));
+        let binary = ConfigFile::parse(Path::new("c.toml"), b"# a\n\xFF = 1", &["port"]);
+        assert_eq!(binary.unwrap_err(), "c.toml:2: not UTF-8 text");
         assert!(parse("port = [1]").unwrap_err().starts_with("c.toml:1: port: expected"));
     }
 }

@@ -8,17 +8,35 @@ use crate::failure::Failure;
 use crate::text;
 
 /// More is not for a board.
-const MOST: u64 = 16 << 20;
+const MOST: usize = 16 << 20;
 
 /// The bytes of a file; of standard input for `-`.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    let read = if path.as_os_str() == "-" { limited(io::stdin().lock()) } else { open(path) };
+    read.map_err(|source| failure(path, source))
+}
+
+/// The text of a file; of standard input for `-`.
+pub(crate) fn read_text(path: &Path) -> Result<String, Failure> {
+    String::from_utf8(read(path)?).map_err(|error| {
+        let valid = error.as_bytes().get(..error.utf8_error().valid_up_to()).unwrap_or_default();
+        let line = valid.split(|byte| *byte == b'\n').count();
+        Failure::Usage(format!("{}:{line}: not UTF-8 text", text::escape(&path.display().to_string())))
+    })
+}
+
+fn open(path: &Path) -> io::Result<Vec<u8>> {
+    limited(File::open(path)?)
+}
+
+/// All bytes, unless they are more than anything for a board has: a device may have no end.
+fn limited(reader: impl io::Read) -> io::Result<Vec<u8>> {
     let mut data = Vec::new();
-    let read = if path.as_os_str() == "-" {
-        io::stdin().lock().take(MOST).read_to_end(&mut data)
-    } else {
-        File::open(path).and_then(|file| file.take(MOST).read_to_end(&mut data))
-    };
-    read.map(|_| data).map_err(|source| failure(path, source))
+    reader.take(MOST as u64 + 1).read_to_end(&mut data)?;
+    if data.len() > MOST {
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, "larger than 16 MiB"));
+    }
+    Ok(data)
 }
 
 /// Writes a file beside its place and moves it there, so that one that was there is replaced by a whole one or not at
@@ -36,6 +54,10 @@ fn replace(path: &Path, data: &[u8]) -> io::Result<()> {
     name.push(format!(".{}.new", std::process::id()));
     let new: PathBuf = path.with_file_name(name);
     let mut file = File::create_new(&new)?;
+    // Who may read the old one may read the new one, and nobody else.
+    if let Ok(old) = path.metadata() {
+        let _ = file.set_permissions(old.permissions());
+    }
     let written = file.write_all(data).and_then(|()| file.sync_all());
     let moved = written.and_then(|()| std::fs::rename(&new, &path));
     moved.inspect_err(|_| drop(std::fs::remove_file(&new)))

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use clap_complete::engine::{ArgValueCandidates, CompletionCandidate};
-use sbgc_host::transport::ports;
+use sbgc_host::transport::{Address, ports};
 use sbgc_proto::frame::Version;
 
 use crate::config_file::ConfigFile;
@@ -197,18 +197,24 @@ impl Sources {
         parse: fn(&str) -> Result<T, String>,
     ) -> Result<T, Failure> {
         let variable = variable(name);
-        let environment = std::env::var(&variable).ok().filter(|value| !value.is_empty());
+        let environment = std::env::var_os(&variable).filter(|value| !value.is_empty());
+        let environment = environment.map(|value| value.to_string_lossy().into_owned());
         let parse_at = |place: &str, value: &str| {
             parse(value).map_err(|error| {
                 Failure::Usage(format!("{place}: invalid value \"{}\": {error}", text::escape(value)))
             })
         };
+        // A mistake in the file is reported also where something else takes precedence.
+        let file = match self.file.get(name) {
+            Some((text, place)) => Some((parse_at(&format!("{place}: {name}"), text)?, place)),
+            None => None,
+        };
         let (value, source, place) = if let Some(value) = option {
             (value, "option", Some(format!("--{name}")))
         } else if let Some(text) = environment {
             (parse_at(&variable, &text)?, "environment", Some(variable))
-        } else if let Some((text, place)) = self.file.get(name) {
-            (parse_at(&format!("{place}: {name}"), text)?, "file", Some(place))
+        } else if let Some((value, place)) = file {
+            (value, "file", Some(place))
         } else {
             (default, "default", None)
         };
@@ -256,8 +262,8 @@ impl fmt::Display for Baud {
     }
 }
 
-#[allow(clippy::unnecessary_wraps, reason = "what a port can be is for its address to say")]
 fn port(text: &str) -> Result<Port, String> {
+    text.parse::<Address>().map_err(|error| error.to_string())?;
     Ok(Port(text.to_owned()))
 }
 

@@ -19,6 +19,17 @@ pub(crate) fn timeout(text: &str) -> Result<Duration, String> {
     if range.contains(&time) { Ok(time) } else { Err(format!("{text} is out of range; expected 1ms to 10m")) }
 }
 
+/// A delay that the board counts in milliseconds of 16 bits: `100ms`, `1s`.
+pub(crate) fn delay(text: &str) -> Result<Duration, String> {
+    let time = time(text, 1e-3)?;
+    let range = Duration::from_millis(1)..=Duration::from_millis(u16::MAX.into());
+    if range.contains(&time) {
+        Ok(time)
+    } else {
+        Err(format!("{text} is out of range; expected 1ms to 65535ms"))
+    }
+}
+
 /// A time or a rate, in milliseconds as the board counts them: `20`, `20ms`, `50Hz`. For `--interval`.
 pub(crate) fn interval(text: &str) -> Result<u16, String> {
     let (number, unit) = split(text).ok_or_else(|| expected_interval(text))?;
@@ -183,6 +194,15 @@ mod tests {
         }
         for text in ["0", "11m", "18446744073709551615", "200Hz"] {
             assert!(timeout(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn delays_fit_the_board() {
+        assert_eq!(delay("65535ms"), Ok(Duration::from_millis(65_535)));
+        assert_eq!(delay("2"), Ok(Duration::from_millis(2)));
+        for text in ["0", "66s", "65536"] {
+            assert!(delay(text).unwrap_err().contains("65535ms"), "{text}");
         }
     }
 

@@ -13,6 +13,22 @@ fn names_and_values_become_a_frame() {
     assert_eq!(objects(&output)[0]["frame"], "245201530112 3d".replace(' ', ""));
 }
 
+#[test]
+fn as_json_it_is_what_decode_shows_and_the_bytes() {
+    for arguments in [
+        &["READ_PARAMS_3", "profile_id=PROFILE_2"][..],
+        &["CONFIRM", "cmd_id=77", "--direction", "incoming"],
+        &["200", "payload=0102"],
+    ] {
+        let mut built = objects(&run(&[&["--json", "encode"], arguments].concat())).remove(0);
+        let frame = built.as_object_mut().unwrap().remove("frame").unwrap();
+        let direction = built["direction"].as_str().unwrap();
+        let decode = ["--json", "decode", "--direction", direction];
+        let decoded = objects(&run_with_input(&decode, frame.as_str().unwrap().as_bytes())).remove(0);
+        assert_eq!(built, decoded, "{arguments:?}");
+    }
+}
+
 /// Leaving fields out never deletes, sets up or picks the form of old firmware.
 #[test]
 fn without_a_form_the_default_one_is_built() {

@@ -103,3 +103,75 @@ fn help_has_examples() {
         assert!(common::stdout(&help).contains("Examples:\n  "), "{command}");
     }
 }
+
+#[test]
+fn delays_that_the_board_cannot_count_are_refused() {
+    for command in ["reset", "boot"] {
+        let output = run(&["--port", "sim", "--yes", command, "--delay", "66s"]);
+        assert_eq!(output.status.code(), Some(2), "{command}");
+        assert!(
+            stderr(&output).contains("66s is out of range; expected 1ms to 65535ms"),
+            "{}",
+            stderr(&output)
+        );
+    }
+}
+
+#[test]
+fn mistakes_in_the_configuration_are_found_whatever_takes_precedence() {
+    let home = tempfile::tempdir().unwrap();
+    let file = home.path().join("sbgc/config.toml");
+    std::fs::create_dir(home.path().join("sbgc")).unwrap();
+    for (content, expected) in [
+        (&b"\nbaud = \"fast\"\n"[..], ":2: baud: invalid value \"fast\""),
+        (b"port = \"\"\n", ":1: port: invalid value \"\""),
+        (b"port = \"http://gimbal:1\"\n", ":1: port: "),
+        (b"# gimbal\n# \xFF\n", ":2: not UTF-8 text"),
+    ] {
+        std::fs::write(&file, content).unwrap();
+        let mut command = common::sbgc();
+        command.env("XDG_CONFIG_HOME", home.path());
+        let output = command.args(["--port", "sim", "--baud", "57600", "angles"]).output().unwrap();
+        assert_eq!(output.status.code(), Some(2), "{expected}");
+        let message = stderr(&output);
+        assert!(message.contains(expected) && message.contains("config.toml"), "{message}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn variables_that_are_not_text_are_not_passed_over() {
+    use std::os::unix::ffi::OsStrExt as _;
+
+    let name = std::ffi::OsStr::from_bytes(b"tcp://\xFF");
+    let output = common::sbgc().env("SBGC_PORT", name).arg("info").output().unwrap();
+    assert_eq!(output.status.code(), Some(2), "{}", stderr(&output));
+    assert!(stderr(&output).contains("SBGC_PORT"), "{}", stderr(&output));
+}
+
+#[test]
+fn options_of_one_kind_of_simulated_port_do_not_go_with_the_other() {
+    let link = ["sim", "--tcp", "127.0.0.1:0", "--link", "/nonexistent/link"];
+    for arguments in [&link[..], &["sim", "--pty", "--shared"]] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {}", stderr(&output));
+    }
+}
+
+/// Some of these have no end.
+#[test]
+#[cfg(unix)]
+fn devices_are_not_read_for_ever() {
+    for (arguments, code) in [
+        (&["--port", "sim", "params", "dump", "/dev/full"][..], 1),
+        (&["--port", "sim", "params", "dump", "/dev/null"], 0),
+        (&["--port", "sim", "params", "diff", "/dev/zero"], 1),
+        (&["--port", "sim", "params", "diff", "/dev/null"], 2),
+        (&["--port", "sim", "script", "upload", "1", "/dev/zero", "--yes"], 1),
+        (&["--port", "sim:/dev/zero", "info"], 1),
+        (&["sim", "--pty", "--state", "/dev/full"], 1),
+    ] {
+        let output = run(arguments);
+        assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", stderr(&output));
+    }
+}

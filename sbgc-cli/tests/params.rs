@@ -285,6 +285,40 @@ fn dumping_keeps_comments_and_replaces_files_as_a_whole() {
     assert!(bench.objects(&["params", "dump"])[0]["document"].is_string());
 }
 
+/// A dump that was cut short before its first table would otherwise pass for one without differences.
+#[test]
+fn a_file_without_parameters_is_refused() {
+    let bench = Bench::new();
+    let file = bench.file("empty.toml");
+    let path = file.to_str().unwrap();
+    for content in ["", "# gimbal\n", "firmware = \"2.73.5\"\n"] {
+        fs::write(&file, content).unwrap();
+        for command in ["diff", "restore"] {
+            let message = bench.fail(2, &["params", command, path]);
+            assert!(message.contains("empty.toml: no parameters"), "{message}");
+        }
+    }
+}
+
+#[test]
+fn a_file_keeps_its_permissions_when_it_is_replaced() {
+    use std::os::unix::fs::PermissionsExt as _;
+
+    let bench = Bench::new();
+    let file = bench.file("private.toml");
+    fs::write(&file, "").unwrap();
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
+    bench.succeed(&["params", "dump", file.to_str().unwrap()]);
+    let metadata = file.metadata().unwrap();
+    assert_eq!((metadata.permissions().mode() & 0o777, metadata.len() > 100), (0o600, true));
+}
+
+#[test]
+fn a_misspelled_beginning_gets_the_real_one() {
+    let message = Bench::new().fail(2, &["adj", "config", "triger_slots[0]"]);
+    assert!(message.contains("similar names: trigger_slots[0]"), "{message}");
+}
+
 #[test]
 fn profiles_are_listed_switched_named_copied_and_reset() {
     let bench = Bench::new();

@@ -244,7 +244,7 @@ pub enum Error {
     },
     /// No address of a board.
     #[error(
-        "\"{address}\" is no address of a board; expected a serial port (/dev/ttyUSB0, COM3), tcp://HOST:PORT or sim"
+        "\"{address}\" is not the address of a board; expected a serial port (/dev/ttyUSB0, COM3), tcp://HOST:PORT, udp://HOST:PORT, sim or sim:FILE"
     )]
     BadAddress {
         /// What was given.

@@ -7,7 +7,7 @@ use thiserror::Error;
 pub enum HexError {
     /// Neither a hex digit nor a separator.
     #[error(
-        "line {line}, column {column}: {found:?} is no hex digit; bytes are two digits each, with white space, `0x`, `:` or `,` between them"
+        "line {line}, column {column}: {found:?} is not a hex digit; bytes are two digits each, with white space, `0x`, `:` or `,` between them"
     )]
     NoDigit {
         /// Line, from 1 on.
@@ -26,6 +26,9 @@ pub enum HexError {
         column: usize,
     },
 }
+
+/// The byte order mark of UTF-8.
+pub(super) const BOM: [u8; 3] = [0xEF, 0xBB, 0xBF];
 
 /// Reads a hex dump piece by piece.
 #[derive(Clone, Debug)]
@@ -46,6 +49,10 @@ impl HexReader {
     pub(crate) fn feed(&mut self, text: &[u8], bytes: &mut Vec<u8>) -> Result<(), HexError> {
         for character in text {
             self.column += 1;
+            // Some editors mark text as UTF-8 in front.
+            if self.line == 1 && BOM.get(self.column - 1) == Some(character) {
+                continue;
+            }
             self.next(*character, bytes)?;
             if *character == b'\n' {
                 self.line += 1;
@@ -103,6 +110,8 @@ mod tests {
             assert_eq!(read(text), Ok(vec![0x3E, 0x52, 0x01]), "{text:?}");
         }
         assert_eq!(read("00 0x00"), Ok(vec![0, 0]));
+        assert_eq!(read("\u{FEFF}3E 52"), Ok(vec![0x3E, 0x52]));
+        assert!(read("3E \u{FEFF}52").is_err());
     }
 
     #[test]

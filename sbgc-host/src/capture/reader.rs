@@ -6,7 +6,7 @@ use sbgc_proto::Direction;
 use sbgc_proto::frame::{Cause, Decoder, Event, Skipped, Version, Versions};
 use thiserror::Error;
 
-use super::hex::{HexError, HexReader};
+use super::hex::{BOM, HexError, HexReader};
 use super::log::{self, LogLine};
 
 /// How a capture is written.
@@ -292,7 +292,7 @@ impl Beginning {
 
     fn judge(&mut self, at: usize) -> Option<Format> {
         let byte = *self.seen.get(at)?;
-        let separates = byte.is_ascii_whitespace() || b"xX:,".contains(&byte);
+        let separates = byte.is_ascii_whitespace() || b"xX:,".contains(&byte) || BOM.get(at) == Some(&byte);
         self.digits += usize::from(byte.is_ascii_hexdigit());
         self.not_hex |= !separates && !byte.is_ascii_hexdigit();
         if byte == b'\n' {

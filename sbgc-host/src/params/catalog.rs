@@ -179,8 +179,9 @@ impl Catalog {
     /// That nothing is called so, and what is called alike.
     pub(super) fn unknown(&self, name: &str) -> NameError {
         let names = self.parameters.iter().flat_map(|parameter| {
-            let beginning = parameter.path.split(['.', '[']).next().unwrap_or_default();
-            [parameter.path.as_str(), parameter.field.spec, beginning]
+            let ends = parameter.path.match_indices(['.', '[']).map(|(at, _)| at);
+            let beginnings = ends.filter_map(|at| parameter.path.get(..at));
+            [parameter.path.as_str(), parameter.field.spec].into_iter().chain(beginnings)
         });
         NameError::Unknown { name: name.into(), similar: nearest(name, names) }
     }

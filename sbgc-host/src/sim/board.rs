@@ -403,11 +403,15 @@ impl Board {
         }
     }
 
-    /// Resets the board now, with the notice that it gives before a reset of its own.
+    /// Resets the board as soon as the notice that it gives before a reset of its own has left.
     fn reset_with_notice(&mut self) {
         let payload = Vec::new();
         self.send_to_all(&Packet { id: CommandId::Reset, payload });
-        self.reset_at = Some((self.now, self.machine.config().boot));
+        let open = self.ports.iter().filter(|port| port.open);
+        let told = open.map(|port| port.line.empty_at(self.now)).max().unwrap_or(self.now);
+        // What leaves at the very moment of the reset would be forgotten.
+        let then = told.saturating_add(Duration::from_millis(1));
+        self.reset_at = Some((then, self.machine.config().boot));
     }
 
     fn happen(&mut self, time: Duration) {

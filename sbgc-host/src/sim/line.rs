@@ -318,6 +318,14 @@ impl Line {
         }
     }
 
+    /// When all that waits to be sent will have left.
+    pub(super) fn empty_at(&self, now: Duration) -> Duration {
+        let delayed = self.delayed.iter().map(|(_, frame)| frame);
+        let waiting: usize = self.waiting.iter().chain(delayed).map(Vec::len).sum();
+        let start = self.delayed.back().map_or(now, |(time, _)| now.max(*time)).max(self.gone_until);
+        start.saturating_add(self.time_for(self.output.len() + waiting))
+    }
+
     /// What has arrived at the host's end.
     pub(super) fn take_gone(&mut self) -> Bytes {
         self.gone.split().freeze()

@@ -16,6 +16,9 @@ const MAGIC: [u8; 8] = *b"SBGCSIM1";
 /// The bytes before the image: what it begins with, sum, length.
 const HEADER: usize = 16;
 
+/// No state is larger.
+const MOST: u64 = 1 << 20;
+
 /// The state of a simulated board in a file.
 #[derive(Debug)]
 pub struct StateFile {
@@ -47,6 +50,10 @@ impl StateFile {
         // A link is followed, so that what it leads to is replaced and not the link.
         let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
         loop {
+            // A pipe would be waited for, and a device may have no end.
+            if path.metadata().is_ok_and(|found| !found.is_file()) {
+                return Err(damaged());
+            }
             match File::open(&path) {
                 Ok(mut file) => {
                     lock(&file)?;
@@ -129,7 +136,7 @@ fn sum(image: &[u8]) -> u32 {
 /// The image in a state file.
 fn image(file: &mut File) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    file.read_to_end(&mut bytes)?;
+    file.take(MOST).read_to_end(&mut bytes)?;
     let (header, image) = bytes.split_at_checked(HEADER).ok_or_else(damaged)?;
     if content(image).get(..HEADER) == Some(header) { Ok(image.to_vec()) } else { Err(damaged()) }
 }
@@ -220,6 +227,16 @@ mod tests {
         let (_, board) = StateFile::open(&directory.state(), &Config::default()).unwrap();
         assert_eq!(board.eeprom(), kept);
         assert_eq!(fs::read_dir(&directory.0).unwrap().count(), 1, "nothing is left beside it");
+    }
+
+    /// One of these has no end.
+    #[test]
+    #[cfg(unix)]
+    fn what_is_not_a_file_is_refused() {
+        for place in ["/dev/zero", "/dev/full", "/"] {
+            let error = StateFile::open(Path::new(place), &Config::default()).unwrap_err();
+            assert_eq!(error.kind(), io::ErrorKind::InvalidData, "{place}: {error}");
+        }
     }
 
     #[test]

@@ -23,7 +23,7 @@ const EXAMPLES: &str = "Examples:
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Boot {
     /// Time before it is entered
-    #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = values::timeout)]
+    #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = values::delay)]
     delay: Duration,
 }
 

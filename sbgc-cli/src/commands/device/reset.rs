@@ -24,7 +24,7 @@ const EXAMPLES: &str = "Examples:
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Reset {
     /// Time between the announcement and the restart
-    #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = values::timeout)]
+    #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = values::delay)]
     delay: Duration,
 
     /// Wait until the board responds again, at most 20 seconds

@@ -13,7 +13,7 @@ use sbgc_host::capture::{Format, Interpreter, Item, Reader};
 use sbgc_proto::reflect::{Leaf, Meaning, Raw};
 
 use crate::failure::Failure;
-use crate::{signals, talk, text};
+use crate::{files, signals, talk, text};
 
 const EXAMPLES: &str = "Examples:
   sbgc record attitude.log --for 2s && sbgc plot attitude.log -o attitude.svg
@@ -117,7 +117,7 @@ impl Plot {
                 let mut svg = String::new();
                 draw(&SVGBackend::with_string(&mut svg, self.size).into_drawing_area(), track, &panels, over)
                     .map_err(failed)?;
-                replace(&self.output, svg.as_bytes())?;
+                files::write(&self.output, svg.as_bytes())?;
             }
             Picture::Png => {
                 // The backend knows the format by the name, so it gets a name of its own in the same place.
@@ -245,16 +245,6 @@ fn file(path: &Path, source: std::io::Error) -> Failure {
 fn sibling(path: &Path) -> PathBuf {
     let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or("new");
     path.with_extension(format!("{}.{ending}", std::process::id()))
-}
-
-/// Writes a file as a whole, or leaves the old one.
-fn replace(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
-    let new = sibling(path);
-    let written = fs::write(&new, bytes).and_then(|()| fs::rename(&new, path));
-    written.map_err(|source| {
-        let _ = fs::remove_file(&new);
-        file(path, source)
-    })
 }
 
 /// The fonts of the system may be none.

@@ -1,8 +1,7 @@
 //! Writing parameters: what changes is shown, confirmed, backed up, written and verified.
 
 use std::fs::{self, File};
-use std::io::{self, Write as _};
-use std::path::{Path, PathBuf};
+use std::io;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use sbgc_host::params::{ParameterFile, Parameters, Place, Plan, Profile, Snapshot};
@@ -11,7 +10,7 @@ use super::show;
 use crate::failure::Failure;
 use crate::options::Global;
 use crate::output::Output;
-use crate::{act, places, talk};
+use crate::{act, files, places, talk};
 
 /// Carries out a plan after its differences were shown and confirmed; returns whether it did.
 ///
@@ -101,7 +100,7 @@ pub(super) fn back_up(snapshot: &Snapshot) -> Result<(), Failure> {
         let path = directory.join(name);
         match File::create_new(&path) {
             Ok(_) => {
-                replace(&path, &ParameterFile::document(snapshot))?;
+                files::write(&path, ParameterFile::document(snapshot).as_bytes())?;
                 talk::say(format_args!("backup: {}", path.display()));
                 return Ok(());
             }
@@ -110,26 +109,6 @@ pub(super) fn back_up(snapshot: &Snapshot) -> Result<(), Failure> {
         }
     }
     Err(failed(io::ErrorKind::AlreadyExists.into()))
-}
-
-/// Writes a file as a whole: under another name first, which then takes its place. A device or a pipe is written to.
-pub(super) fn replace(path: &Path, text: &str) -> Result<(), Failure> {
-    let failed = |source| Failure::File { place: path.display().to_string(), source };
-    if fs::metadata(path).is_ok_and(|found| !found.is_file()) {
-        return fs::write(path, text).map_err(failed);
-    }
-    // Behind a link it is the file that is replaced.
-    let path = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let mut name = path.file_name().unwrap_or_default().to_os_string();
-    name.push(format!(".{}.tmp", std::process::id()));
-    let new: PathBuf = path.with_file_name(name);
-    let written = File::create(&new)
-        .and_then(|mut file| file.write_all(text.as_bytes()).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&new, &path));
-    written.map_err(|source| {
-        let _ = fs::remove_file(&new);
-        failed(source)
-    })
 }
 
 /// The time in UTC, as it can be part of a file's name: `2026-11-21T18-55-03Z`.

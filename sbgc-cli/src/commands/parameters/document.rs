@@ -1,13 +1,12 @@
 //! Files of parameters: those of `params dump`, and those of the vendor's GUI.
 
-use std::fs;
 use std::path::Path;
 
 use sbgc_host::params::{Applied, Block, Blocks, Catalog, GuiFile, Include, ParameterFile, Profile, Values};
 use sbgc_proto::units::FirmwareVersion;
 
 use crate::failure::Failure;
-use crate::talk;
+use crate::{files, talk};
 
 /// A file of parameters.
 #[derive(Clone, Debug)]
@@ -27,11 +26,7 @@ pub(super) enum Own {
 impl Document {
     /// Reads a file and checks it.
     pub(super) fn read(path: &Path, include: &[Include]) -> Result<Self, Failure> {
-        let place = path.display().to_string();
-        match fs::read_to_string(path) {
-            Ok(text) => Self::parse(&text, &place, include),
-            Err(source) => Err(Failure::File { place, source }),
-        }
+        Self::parse(&files::read_text(path)?, &path.display().to_string(), include)
     }
 
     /// Checks the text of a file that is found at `place`.

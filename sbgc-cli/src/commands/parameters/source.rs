@@ -7,10 +7,9 @@ use sbgc_host::params::{Blocks, Catalog, ParameterFile, Parameters, Profile, Sna
 use sbgc_host::{Gimbal, Options, sim};
 use sbgc_proto::commands::BoardInfo;
 
-use super::change;
 use super::document::Document;
 use crate::failure::Failure;
-use crate::{places, talk};
+use crate::{files, places, talk};
 
 /// Something that has parameters.
 #[derive(Clone, Debug)]
@@ -51,7 +50,7 @@ pub(super) fn keep_defaults(info: &BoardInfo, blocks: &Blocks) {
         profiles: Profile::all().take(1).map(|profile| (profile, blocks.clone())).collect(),
     };
     let made = path.parent().is_some_and(|directory| fs::create_dir_all(directory).is_ok());
-    if !made || change::replace(&path, &ParameterFile::document(&snapshot)).is_err() {
+    if !made || files::write(&path, ParameterFile::document(&snapshot).as_bytes()).is_err() {
         talk::say("the factory values could not be kept for `params diff defaults`");
     }
 }

@@ -1,16 +1,19 @@
 //! `sbgc encode`: the inverse of `decode`, a frame from a command's name and fields.
 
 use std::cell::OnceCell;
+use std::io::Write as _;
 
 use clap::{Args, ValueEnum};
+use sbgc_host::capture::{Interpreted, Meaning};
 use sbgc_proto::frame::{MAX_FRAME, MAX_PAYLOAD, Version};
 use sbgc_proto::reflect::{self, AssignError, Input};
 use sbgc_proto::{
     CommandId, Direction, EncodeError, IncomingCommand, MessageInfo, OutOfRange, OutgoingCommand,
 };
-use serde_json::json;
 
+use super::explain;
 use crate::failure::Failure;
+use crate::line::Line;
 use crate::options::{Global, Protocol};
 use crate::output::Output;
 use crate::{talk, text};
@@ -21,6 +24,8 @@ const EXAMPLES: &str = "Examples:
   sbgc encode MOTORS_OFF mode=1 --protocol 1";
 
 /// Build a frame from a command name and field values
+///
+/// --json prints the frame as `decode --json` does, and its bytes as `frame`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Encode {
@@ -65,17 +70,12 @@ impl Encode {
             Protocol::V1 => Version::V1,
             Protocol::V2 | Protocol::Auto => Version::V2,
         };
-        let Encoded { name, form, frame, warnings } = self.encode(version)?;
+        let Encoded { frame, json, warnings } = self.encode(version)?;
         for warning in warnings {
             talk::say(format_args!("warning: {warning}"));
         }
         if output.is_json() {
-            output.object(&json!({
-                "name": name,
-                "form": form,
-                "version": version.number(),
-                "frame": hex::encode(frame),
-            }))?;
+            output.writer().write_all(json.as_bytes())?;
         } else {
             let pairs: Vec<String> = frame.iter().map(|byte| format!("{byte:02X}")).collect();
             output.line(pairs.join(" "))?;
@@ -99,14 +99,16 @@ impl Encode {
             warnings.extend(outside.map(|outside| format!("{path}={value}: {outside}")));
         }
         let mut buffer = [0; MAX_FRAME];
-        let (name, form) = match target {
-            Target::Form(info) => (Some(info.spec), info.form),
-            Target::Unknown(_) => (None, "unknown"),
+        let name = match target {
+            Target::Form(info) => info.spec,
+            Target::Unknown(_) => &self.name,
         };
         let frame = message
             .encode_frame(version, &mut buffer)
-            .map_err(|error| Failure::Usage(format!("{}: {error}", name.unwrap_or(&self.name))))?;
-        Ok(Encoded { name, form, frame: frame.to_vec(), warnings })
+            .map_err(|error| Failure::Usage(format!("{name}: {error}")))?
+            .to_vec();
+        let json = explain::built(&frame, version, &message.into());
+        Ok(Encoded { frame, json, warnings })
     }
 
     /// What to build.
@@ -174,9 +176,9 @@ impl Way {
 
 /// A frame, and what is to be said about it.
 struct Encoded {
-    name: Option<&'static str>,
-    form: &'static str,
     frame: Vec<u8>,
+    /// The frame as `decode` shows it.
+    json: Line,
     warnings: Vec<String>,
 }
 
@@ -222,6 +224,16 @@ impl<'a> Message<'a> {
             Message::Outgoing(message) => message.encode_frame(version, out),
             Message::Incoming(message) => message.encode_frame(version, out),
         }
+    }
+}
+
+impl<'a> From<Message<'a>> for Interpreted<'a> {
+    fn from(message: Message<'a>) -> Self {
+        let meaning = match message {
+            Message::Outgoing(message) => Meaning::Outgoing(message),
+            Message::Incoming(message) => Meaning::Incoming(message),
+        };
+        Interpreted { meaning, rest: &[] }
     }
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, Write as _};
 
 use sbgc_host::capture::{Interpreted, Interpreter, Item};
-use sbgc_proto::frame::{Cause, Version};
+use sbgc_proto::frame::{Cause, Decoder, Event, Version, Versions};
 use sbgc_proto::reflect::Leaf;
 use sbgc_proto::{CommandId, DecodeError, Direction};
 
@@ -80,7 +80,30 @@ impl<'o> Explainer<'o> {
     }
 }
 
+/// A frame that was built from `message`, as JSON: like a decoded one, and with its bytes.
+pub(super) fn built(frame: &[u8], version: Version, message: &Interpreted<'_>) -> Line {
+    let mut decoder = Decoder::new(Versions::Both);
+    let (mut id, mut payload) = (0, Vec::new());
+    if let Some(Event::Frame { frame, .. }) = decoder.next(&mut &*frame) {
+        (id, payload) = (frame.id, frame.payload.to_vec());
+    }
+    let (direction, name) = (message.direction(), message.name());
+    let head = Head { at: 0, version: Some(version), direction, id, name, payload: &payload };
+    let mut line = Line::default();
+    frame_fields(&head, message, &mut line);
+    line.push(r#","frame":""#);
+    line.hex(frame);
+    line.push("\"}\n");
+    line
+}
+
 fn frame_json(head: &Head<'_>, message: &Interpreted<'_>, line: &mut Line) {
+    frame_fields(head, message, line);
+    line.push("}\n");
+}
+
+/// A frame as JSON, without the end.
+fn frame_fields(head: &Head<'_>, message: &Interpreted<'_>, line: &mut Line) {
     head_json("frame", head, line);
     line.push(r#","form":"#);
     line.json_name(Some(message.form()));
@@ -92,7 +115,7 @@ fn frame_json(head: &Head<'_>, message: &Interpreted<'_>, line: &mut Line) {
         fields::write_json(leaf, line);
         separator = ",";
     });
-    line.push("]}\n");
+    line.push("]");
 }
 
 fn undecoded_json(head: &Head<'_>, error: &DecodeError, line: &mut Line) {

@@ -40,7 +40,7 @@ pub(crate) struct Sim {
     pty: bool,
 
     /// Make this symbolic link to the pseudo-terminal
-    #[arg(long, requires = "pty", value_name = "PATH")]
+    #[arg(long, requires = "pty", conflicts_with = "tcp", value_name = "PATH")]
     link: Option<PathBuf>,
 
     /// Serve on this address, e.g. 127.0.0.1:4001; port 0 picks a free port
@@ -48,7 +48,7 @@ pub(crate) struct Sim {
     tcp: Option<String>,
 
     /// Give all TCP clients the same board instead of one each [implied by --state]
-    #[arg(long, requires = "tcp")]
+    #[arg(long, requires = "tcp", conflicts_with = "pty")]
     shared: bool,
 
     /// Bit rate of the board's line, or `any`; a client with another rate gets garbage

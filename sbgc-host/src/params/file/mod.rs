@@ -99,6 +99,9 @@ pub enum FileProblem {
         /// Expected type.
         expected: String,
     },
+    /// No table with parameters, as in a file that was cut short.
+    #[error("no parameters; expected a table [board] or [profile.N]")]
+    Empty,
     /// The same parameter is given twice.
     #[error("{0} is given twice")]
     Twice(String),

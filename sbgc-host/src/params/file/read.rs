@@ -83,6 +83,9 @@ impl ParameterFile {
                 _ => return Err(key(text, item, name, &TOP.join(", "))),
             }
         }
+        if file.shared.is_none() && file.profiles.is_empty() {
+            return Err(text.error(None, FileProblem::Empty));
+        }
         Ok(file)
     }
 }

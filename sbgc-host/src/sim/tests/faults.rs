@@ -66,6 +66,21 @@ fn a_reset_is_announced_and_forgets() {
     assert_eq!((bench.board.resets(), bench.run(ms(1000))), (1, vec![]));
 }
 
+/// At a real bit rate the notice takes its time, all the more behind the samples of a stream.
+#[test]
+fn the_notice_of_a_reset_leaves_before_it() {
+    for interval in [0, 1, 20] {
+        let faults = vec![Fault::Reset { at: ms(1000) }];
+        let mut bench = Bench::new(Config { faults, bit_rate: Some(115_200), ..Config::default() });
+        if interval > 0 {
+            bench.send(&DataStreamInterval::new(StreamSource::RealtimeData4, StreamInterval(interval)));
+        }
+        let ids: Vec<u8> = bench.run(ms(1300)).iter().map(|got| got.id).collect();
+        assert_eq!(ids.last(), Some(&114), "{interval}: {ids:?}");
+        assert_eq!(bench.board.resets(), 1);
+    }
+}
+
 #[test]
 fn an_unplugged_line_is_dead_both_ways_while_the_board_runs_on() {
     let mut bench = bench(Fault::Unplug { at: ms(500), lasts: ms(1000) });

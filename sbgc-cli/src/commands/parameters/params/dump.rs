@@ -1,6 +1,5 @@
 //! `sbgc params dump`.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -8,12 +7,11 @@ use sbgc_host::params::{GuiFile, ParameterFile, Parameters, Profile};
 use serde_json::json;
 
 use super::super::arguments::{Profiles, profiles};
-use super::super::change;
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::options::Global;
 use crate::output::Output;
-use crate::talk;
+use crate::{files, talk};
 
 /// Save parameters as TOML
 ///
@@ -66,17 +64,18 @@ impl Dump {
             }
             return Ok(());
         };
-        let old = fs::read_to_string(&file).ok();
+        // A device has no lines to keep, and reading it may never end.
+        let old = if file.is_file() { files::read_text(&file).ok() } else { None };
         let updated = old.and_then(|old| ParameterFile::updated(&old, &snapshot));
-        change::replace(&file, &updated.unwrap_or_else(|| ParameterFile::document(&snapshot)))?;
+        let document = updated.unwrap_or_else(|| ParameterFile::document(&snapshot));
+        files::write(&file, document.as_bytes())?;
         talk::say(format_args!("wrote {}", file.display()));
         Ok(())
     }
 
     /// Puts the values of the board into a copy of a file that the GUI saved.
     async fn fill(&self, global: &Global, template: &Path, file: &Path) -> Result<(), Failure> {
-        let text = fs::read_to_string(template)
-            .map_err(|source| Failure::File { place: template.display().to_string(), source })?;
+        let text = files::read_text(template)?;
         let gui = GuiFile::parse(&text).map_err(|error| {
             let line = error.line.map_or_else(String::new, |line| format!(":{line}"));
             Failure::Usage(format!("{}{line}: {}", template.display(), error.problem))
@@ -106,7 +105,7 @@ impl Dump {
         if !filled.unsaid.is_empty() {
             talk::say(format_args!("left as in the template: {}", filled.unsaid.join(", ")));
         }
-        change::replace(file, &filled.text)?;
+        files::write(file, filled.text.as_bytes())?;
         talk::say(format_args!("wrote {}", file.display()));
         Ok(())
     }

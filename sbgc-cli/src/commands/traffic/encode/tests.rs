@@ -194,7 +194,8 @@ fn one_name_of_a_bit_field_says_all() {
 fn commands_that_the_protocol_does_not_have_are_made_of_bytes() {
     let encoded = encode("200", &["payload=05"]).unwrap();
     assert_eq!(encoded.frame, [0x3E, 0xC8, 0x01, 0xC9, 0x05, 0x05]);
-    assert_eq!((encoded.name, encoded.form), (None, "unknown"));
+    let json: Value = serde_json::from_slice(encoded.json.as_bytes()).unwrap();
+    assert_eq!((&json["name"], &json["form"], &json["id"]), (&Value::Null, &"unknown".into(), &200.into()));
     assert_eq!(
         encode("82", &["profile_id=1"]).unwrap().frame,
         encode("READ_PARAMS", &["profile_id=1"]).unwrap().frame

@@ -372,7 +372,7 @@ impl Board {
 
     /// The pulse of a servo output in microseconds, counted from 0; `None` while it floats.
     pub fn servo(&self, output: usize) -> Option<u16> {
-        self.machine.pins.servo(output)
+        self.machine.servo(output)
     }
 
     /// Connects an input of remote control to a signal of -1 to 1, or disconnects it.

@@ -4,8 +4,8 @@ use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 
 use sbgc_proto::commands::{
-    AdjustableVariable, DebugPortFilter, EventId, EventTypes, GeneralFlags2, MenuCommand, SystemStateFlags,
-    SystemSubError,
+    AdjustableVariable, DebugPortFilter, EventId, EventTypes, GeneralFlags1, GeneralFlags2, MenuCommand,
+    ProfileFlags1, RcSource, RcSourceKind, SystemStateFlags, SystemSubError,
 };
 use sbgc_proto::frame::Version;
 
@@ -15,16 +15,16 @@ use super::config::Config;
 use super::eeprom::{Cell, Eeprom};
 use super::events::Happened;
 use super::imu::Imu;
-use super::motion::Motion;
+use super::motion::{Goal, Motion};
 use super::parameters::{Parameters, Settings};
-use super::pins::Pins;
+use super::pins::{Pins, servo_channel};
 use super::power::Power;
 use super::procedure::Procedure;
 use super::quaternion::QuatControl;
-use super::rc::RcInputs;
+use super::rc::{RcInputs, pulse};
 use super::reply::Reply;
 use super::script::Script;
-use super::steering::Steering;
+use super::steering::{Steering, speed_of};
 use super::streams::Streams;
 
 /// A command as it came.
@@ -66,6 +66,10 @@ pub(super) struct Machine {
     pub(super) menu_reports: Option<u8>,
     /// The levels that the trigger slots had last.
     pub(super) trigger_levels: [Option<u8>; 10],
+    /// The level that the command channel of remote control had last.
+    pub(super) command_level: Option<u8>,
+    /// Whether the axes still move to where they should be after a start.
+    pub(super) starting: bool,
     /// The action that was triggered last, by slot.
     pub(super) triggered: [u8; 10],
     /// What has happened and was not reported yet.
@@ -102,6 +106,8 @@ impl Machine {
             menu: VecDeque::new(),
             menu_reports: None,
             trigger_levels: [None; 10],
+            command_level: None,
+            starting: false,
             triggered: [0; 10],
             events: Vec::new(),
             later: Vec::new(),
@@ -113,6 +119,7 @@ impl Machine {
             config,
         };
         machine.apply_settings();
+        machine.take_position();
         machine
     }
 
@@ -141,6 +148,7 @@ impl Machine {
         self.menu.clear();
         self.menu_reports = None;
         self.trigger_levels = [None; 10];
+        self.command_level = None;
         self.triggered = [0; 10];
         self.events.clear();
         self.later.clear();
@@ -149,6 +157,24 @@ impl Machine {
         self.modes = SystemStateFlags::empty();
         self.motion.restart(motors_on);
         self.apply_settings();
+        self.take_position();
+    }
+
+    /// Moves the axes to the angles that they take at a start, as an automated task.
+    fn take_position(&mut self) {
+        let settings = self.parameters.settings();
+        let keeps = settings.params.profile_flags1.contains(ProfileFlags1::RC_KEEP_CUR_POS_ON_INIT);
+        self.starting = self.motion.motors_on() && !keeps;
+        if !self.starting {
+            return;
+        }
+        let mut angles = settings.params.rc_memory.map(|angle| f64::from(angle.degrees()));
+        if settings.params.general_flags1.contains(GeneralFlags1::CENTER_YAW_AT_STARTUP) {
+            angles.yaw = self.motion.frame().yaw;
+        }
+        let speed = Some(speed_of(settings.ext2.auto_speed));
+        self.motion.give_task(angles.map(|angle| Some(Goal::Angle { angle, speed })));
+        self.starting = !self.motion.finish_tasks();
     }
 
     /// Lets parameters act that no command looks up by itself.
@@ -163,6 +189,7 @@ impl Machine {
 
     /// Lets all sources of motion act. True if serial control has reached what it was to report.
     pub(super) fn steer(&mut self, now: Duration) -> bool {
+        self.rc.step(self.parameters.settings());
         let held = self.procedure.as_ref().is_some_and(|procedure| procedure.holds);
         self.steering.poll(now, self.parameters.settings(), &self.rc, held, &mut self.motion)
     }
@@ -202,6 +229,19 @@ impl Machine {
         if self.power.stop().is_some() {
             self.power.end_stop();
             self.events.push(Happened::new(EventId::EmergencyStop, EventTypes::OFF, 0));
+        }
+    }
+
+    /// The pulse of a servo output in microseconds; `None` while it floats.
+    pub(super) fn servo(&self, output: usize) -> Option<u16> {
+        let settings = self.parameters.settings();
+        match servo_channel(output, settings) {
+            Some(channel) => {
+                let kind = RcSource::default().with_kind(RcSourceKind::ApiVirt);
+                let signal = self.rc.signal(kind.with_channel(channel % 32), settings)?;
+                u16::try_from(pulse(Some(signal))).ok()
+            }
+            None => self.pins.servo(output),
         }
     }
 

@@ -1,7 +1,8 @@
 //! Output pins and servo outputs.
 //!
-//! Real: a pin is driven, and its command confirmed, only if nothing else uses it: the inputs of remote control are
-//! in use as far as the parameters assign them. AUX, buzzer and Spektrum power are free.
+//! Real: a pin is driven, and its command confirmed, only if nothing else uses it: inputs of remote control, a second
+//! LED or buzzer, an interrupt output and extra buttons as far as the parameters assign them, and outputs of servos. AUX,
+//! buzzer and Spektrum power are free otherwise. Servo outputs that the parameters assign put out a virtual channel.
 
 use std::collections::BTreeMap;
 
@@ -29,9 +30,13 @@ impl Pins {
     /// Whether a pin has no other function.
     pub(super) fn is_free(&self, pin: TriggerPinId, settings: &Settings) -> bool {
         let used_by_rc = RcInputs::assigned(settings).iter().any(|source| source.0 == pin.raw());
-        let led = settings.ext2.ext_led_pin_id == pin;
-        let servo = servo_of(pin).and_then(|index| self.servos.get(index)).is_some_and(Option::is_some);
-        Self::exists(pin) && !used_by_rc && !led && !servo
+        let (ext2, ext3) = (&settings.ext2, &settings.ext3);
+        let assigned =
+            [ext2.ext_led_pin_id, ext2.interrupt_cfg.pin(), TriggerPinId::from(ext3.ext_buzzer_pin)];
+        let button = ext3.extra_btn_cfg.iter().any(|button| button.pin() == pin);
+        let servo = servo_of(pin)
+            .is_some_and(|index| self.servo(index).is_some() || servo_channel(index, settings).is_some());
+        Self::exists(pin) && !used_by_rc && !assigned.contains(&pin) && !button && !servo
     }
 
     pub(super) fn set(&mut self, pin: TriggerPinId, state: TriggerPinState) {
@@ -74,6 +79,13 @@ impl Pins {
     pub(super) fn reset(&mut self) {
         *self = Self::default();
     }
+}
+
+/// The virtual channel that the parameters put out on a servo output.
+pub(super) fn servo_channel(index: usize, settings: &Settings) -> Option<u8> {
+    let params = &settings.params;
+    let outputs = [params.servo1_out, params.servo2_out, params.servo3_out, params.servo4_out];
+    outputs.get(index).copied().filter(|channel| *channel > 0)
 }
 
 /// The servo output that shares a pin.

@@ -21,4 +21,23 @@ pub(super) struct QuatControl {
     /// Limits that the configuration has set, in degrees per second and per second squared.
     pub(super) max_speed: Option<PerXyz<f64>>,
     pub(super) acceleration: Option<PerXyz<f64>>,
+    /// The time in which an acceleration builds up, in seconds.
+    pub(super) jerk_time: Option<PerXyz<f64>>,
+    /// The time constants of its filters, in seconds.
+    pub(super) attitude_filter: Option<f64>,
+    pub(super) speed_filter: Option<f64>,
+}
+
+impl QuatControl {
+    /// Ends it; its configuration stays.
+    pub(super) fn stop(&mut self) {
+        *self = Self {
+            max_speed: self.max_speed,
+            acceleration: self.acceleration,
+            jerk_time: self.jerk_time,
+            attitude_filter: self.attitude_filter,
+            speed_filter: self.speed_filter,
+            ..Self::default()
+        };
+    }
 }

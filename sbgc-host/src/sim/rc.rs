@@ -1,14 +1,18 @@
 //! The inputs of remote control: pins, analog inputs, serial receivers and virtual channels.
 //!
 //! Real: sources as the protocol numbers them, virtual channels by `CMD_API_VIRT_CH_CONTROL` and its finer form,
-//! corrections of the parameters (`RC_CALIB`). Nothing is connected to pins and receivers until the program that runs
-//! the board connects it; an input without a signal is undefined.
+//! corrections of the parameters (`RC_CALIB`), signals of a flight controller that are mixed in (`RC_MIX_FC`), step
+//! signals. Nothing is connected to pins and receivers until the program that runs the board connects it; an input
+//! without a signal is undefined.
 //!
-//! Simplified: step signals are not simulated and have no signal.
+//! Where the protocol leaves it open: a mix rate of 63 is the signal of the flight controller alone, and where only one
+//! of the two is there, it counts alone. A step signal goes through its values from the lowest to the highest; its source
+//! is high from half of full scale on, and low from there downwards. Counting in one direction, it begins again after the
+//! highest value; counting up and down, it stops at the ends. No menu button is pressed, so signals that need one stand.
 
 use std::collections::BTreeMap;
 
-use sbgc_proto::commands::{RcSource, RcSourceKind};
+use sbgc_proto::commands::{FcMixTarget, RcSource, RcSourceKind, StepCount, StepSignal, StepSignalMode};
 use sbgc_proto::units::RcSignal;
 
 use super::parameters::Settings;
@@ -16,9 +20,26 @@ use super::parameters::Settings;
 /// How many virtual channels there are.
 pub(super) const VIRTUAL_CHANNELS: usize = 32;
 
+/// How many step signals there are.
+const STEP_SIGNALS: usize = 6;
+
+/// A step signal.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Steps {
+    config: StepSignal,
+    /// Which of its values it has, from 0 on.
+    position: u8,
+    /// The half of full scale that its source was in last, if any.
+    level: Option<bool>,
+}
+
 #[derive(Debug, Default)]
 pub(super) struct RcInputs {
     virtual_channels: [Option<f64>; VIRTUAL_CHANNELS],
+    steps: [Steps; STEP_SIGNALS],
+    /// Pairs of axes whose sources the menu has swapped: pitch with roll, yaw with roll.
+    pub(super) pitch_swapped: bool,
+    pub(super) yaw_swapped: bool,
     /// What is connected to other sources, by their number.
     connected: BTreeMap<u8, f64>,
 }
@@ -41,15 +62,70 @@ impl RcInputs {
         }
     }
 
-    /// Forgets virtual channels, as a reset does.
+    /// Forgets what is not connected, as a reset does.
     pub(super) fn reset(&mut self) {
-        self.virtual_channels = [None; VIRTUAL_CHANNELS];
+        *self = Self { connected: std::mem::take(&mut self.connected), ..Self::default() };
+    }
+
+    /// Lets step signals follow their sources.
+    pub(super) fn step(&mut self, settings: &Settings) {
+        for (index, config) in settings.ext2.step_signals.into_iter().enumerate() {
+            let source = config.step_signal_src;
+            let steps = source.kind() != RcSourceKind::StepSignal;
+            let signal = if steps { self.signal(source, settings) } else { None };
+            let Some(place) = self.steps.get_mut(index) else { continue };
+            if place.config != config {
+                *place = Steps { config, position: first_step(config), level: None };
+            }
+            let level = match signal {
+                Some(signal) if signal >= 0.5 => Some(true),
+                Some(signal) if signal <= -0.5 => Some(false),
+                _ => None,
+            };
+            if level != place.level && !config.step_signal_cfg.button_pressed() {
+                place.position = next_step(config, place.position, level);
+            }
+            place.level = level;
+        }
+    }
+
+    /// The value of a step signal.
+    fn step_signal(&self, source: RcSource) -> Option<f64> {
+        let steps = self.steps.get(usize::from(source.channel()).checked_sub(1)?)?;
+        let assigned = steps.config.step_signal_src != RcSource::NOT_ASSIGNED;
+        let last = step_count(steps.config).saturating_sub(1).max(1);
+        assigned.then(|| f64::from(steps.position) / f64::from(last) * 2.0 - 1.0)
+    }
+
+    /// The signal that moves an axis.
+    pub(super) fn of_axis(&self, index: usize, settings: &Settings) -> Option<f64> {
+        let index = match index {
+            0 if self.pitch_swapped => 1,
+            1 if self.pitch_swapped => 0,
+            0 if self.yaw_swapped => 2,
+            2 if self.yaw_swapped => 0,
+            index => index,
+        };
+        let [.., fc_roll, fc_pitch] = Self::assigned(settings);
+        let own = self.signal(*Self::assigned(settings).get(index)?, settings);
+        let params = &settings.params;
+        let target = [FcMixTarget::Roll, FcMixTarget::Pitch, FcMixTarget::Yaw];
+        let target = *target.get(index)?;
+        let mixes = [(params.rc_mix_fc_roll, fc_roll), (params.rc_mix_fc_pitch, fc_pitch)];
+        mixes.into_iter().filter(|(mix, _)| mix.target() == target).fold(own, |own, (mix, source)| {
+            let share = f64::from(mix.rate()) / 63.0;
+            match (own, self.signal(source, settings)) {
+                (Some(own), Some(fc)) => Some(own * (1.0 - share) + fc * share),
+                (own, fc) => own.or(fc),
+            }
+        })
     }
 
     /// The signal of a source, -1 to 1 and slightly beyond.
     pub(super) fn signal(&self, source: RcSource, settings: &Settings) -> Option<f64> {
         let raw = match virtual_channel(source) {
             Some(channel) => *self.virtual_channels.get(channel)?,
+            None if source.kind() == RcSourceKind::StepSignal => self.step_signal(source),
             None => self.connected.get(&source.0).copied(),
         }?;
         let calibrations = settings.ext2.rc_calibs.iter();
@@ -78,7 +154,7 @@ impl RcInputs {
 
     /// Whether a signal is there that moves an axis.
     pub(super) fn moves(&self, settings: &Settings) -> bool {
-        Self::assigned(settings).iter().take(3).any(|source| self.signal(*source, settings).is_some())
+        (0..3).any(|index| self.of_axis(index, settings).is_some())
     }
 
     /// The channels of a serial receiver.
@@ -95,6 +171,35 @@ impl RcInputs {
 fn virtual_channel(source: RcSource) -> Option<usize> {
     let channel = usize::from(source.channel());
     (source.kind() == RcSourceKind::ApiVirt).then(|| (channel + VIRTUAL_CHANNELS - 1) % VIRTUAL_CHANNELS)
+}
+
+fn step_count(config: StepSignal) -> u8 {
+    match config.step_signal_cfg.steps() {
+        StepCount::Steps3 => 3,
+        StepCount::Steps5 => 5,
+        StepCount::Steps10 => 10,
+        StepCount::Steps15 => 15,
+        StepCount::Steps25 => 25,
+        StepCount::Steps50 => 50,
+        StepCount::Steps100 => 100,
+        _ => 2,
+    }
+}
+
+/// Where a step signal begins: at its lowest value, or at the one next to 0.
+fn first_step(config: StepSignal) -> u8 {
+    if config.step_signal_cfg.starts_at_zero() { step_count(config) / 2 } else { 0 }
+}
+
+/// Where a step signal is after its source has come to a level.
+fn next_step(config: StepSignal, position: u8, level: Option<bool>) -> u8 {
+    let count = step_count(config);
+    match (config.step_signal_cfg.mode(), level) {
+        (StepSignalMode::Low, Some(false)) | (StepSignalMode::High, Some(true)) => (position + 1) % count,
+        (StepSignalMode::LowHigh, Some(true)) => (position + 1).min(count - 1),
+        (StepSignalMode::LowHigh, Some(false)) => position.saturating_sub(1),
+        _ => position,
+    }
 }
 
 /// A signal as newer messages have it.

@@ -177,6 +177,7 @@ fn info(machine: &Machine, start: Option<Var>) -> Replies {
 
 /// Lets signals drive the variables of analog slots, and run the actions of trigger slots.
 pub(super) fn poll(machine: &mut Machine, now: Duration, _: &mut Vec<(u8, Reply)>) {
+    poll_command_channel(machine);
     let slots = slots(machine);
     let mut changed = false;
     for slot in slots.analog_slots {
@@ -207,7 +208,7 @@ pub(super) fn poll(machine: &mut Machine, now: Duration, _: &mut Vec<(u8, Reply)
         if slot.trigger_src_ch == RcSource::NOT_ASSIGNED {
             continue;
         }
-        let level = signal(machine, slot.trigger_src_ch).map(fifth);
+        let level = signal(machine, slot.trigger_src_ch).map(|signal| level_of(signal, 5));
         let (Some(before), Some(triggered)) =
             (machine.trigger_levels.get_mut(index), machine.triggered.get_mut(index))
         else {
@@ -225,8 +226,25 @@ pub(super) fn poll(machine: &mut Machine, now: Duration, _: &mut Vec<(u8, Reply)
     }
 }
 
-/// Which of the five levels of a trigger slot a signal is in.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is within 0 to 4")]
-fn fifth(signal: f64) -> u8 {
-    (f64::midpoint(signal.clamp(-1.0, 1.0), 1.0) * 5.0).min(4.0) as u8
+/// Runs the actions of the command channel of remote control, whose range has three levels.
+fn poll_command_channel(machine: &mut Machine) {
+    let params = &machine.settings().params;
+    let actions = [params.rc_cmd_low, params.rc_cmd_mid, params.rc_cmd_high];
+    let source = params.rc_map_cmd;
+    let level = signal(machine, source).map(|signal| level_of(signal, 3));
+    if level == machine.command_level {
+        return;
+    }
+    machine.command_level = level;
+    let action = level.and_then(|level| actions.get(usize::from(level)).copied());
+    if let Some(command) = action.filter(|action| *action != MenuCommand::No) {
+        machine.menu.push_back(MenuRequest { command, port: 0 });
+    }
+}
+
+/// Which of so many levels, which share the range evenly, a signal is in.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is within 0 to the count")]
+fn level_of(signal: f64, count: u8) -> u8 {
+    let place = f64::midpoint(signal.clamp(-1.0, 1.0), 1.0) * f64::from(count);
+    (place as u8).min(count - 1)
 }

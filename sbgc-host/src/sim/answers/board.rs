@@ -3,7 +3,7 @@
 use sbgc_proto::OutgoingCommand;
 use sbgc_proto::commands::{
     AdjustableVariable, BoardFeatures, BoardFeaturesExt, BoardFeaturesExt2, BoardInfo, BoardInfo3,
-    ConnectionFlags, FileId, FileType, ProfileSetSlots, StateFlags1,
+    ConnectionFlags, FileId, FileType, GeneralFlags1, ProfileSetSlots, StateFlags1,
 };
 use sbgc_proto::units::FlashSize;
 use sbgc_proto::wire::Bytes;
@@ -24,12 +24,14 @@ pub(super) fn answer(machine: &mut Machine, _: &Call<'_>, command: &OutgoingComm
 fn info(machine: &Machine) -> Replies {
     let config = machine.config();
     let usb = if config.bit_rate.is_none() { ConnectionFlags::USB } else { ConnectionFlags::empty() };
+    let mut state_flags1 = StateFlags1::INIT_STEP1_DONE | StateFlags1::INIT_STEP2_DONE;
+    state_flags1.set(StateFlags1::STARTUP_AUTO_ROUTINE_DONE, !machine.starting);
+    let flags = machine.settings().params.general_flags1;
+    state_flags1.set(StateFlags1::IS_FRAME_INVERTED, flags.contains(GeneralFlags1::IS_UPSIDE_DOWN));
     message(&BoardInfo {
         board_ver: config.board,
         firmware_ver: config.firmware,
-        state_flags1: StateFlags1::INIT_STEP1_DONE
-            | StateFlags1::INIT_STEP2_DONE
-            | StateFlags1::STARTUP_AUTO_ROUTINE_DONE,
+        state_flags1,
         board_features: features(machine),
         connection_flag: usb,
         board_features_ext: BoardFeaturesExt::EXT_IMU | BoardFeaturesExt::STATE_VARS,

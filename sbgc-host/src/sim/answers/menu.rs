@@ -3,13 +3,14 @@
 //! Real: profiles, motors, moves to fixed positions as automated tasks, calibrations, scripts, profile sets, inversion
 //! of remote control, follow mode, camera events, tripod, servo and shake mode, and when they are confirmed.
 //!
-//! Simplified: swapped axes, receiver binding and online calibrations of gyroscopes are confirmed
-//! and change nothing.
+//! Simplified: receiver binding and online calibrations of gyroscopes are confirmed and change nothing. A frame upside
+//! down is shown in the state flags alone: here nobody turns the frame over.
 
 use std::time::Duration;
 
 use sbgc_proto::commands::{
-    CalibAction, EventId, EventTypes, ExecuteMenuFlags, MenuCommand, RcAxisMode, Reset, SystemStateFlags,
+    CalibAction, EventId, EventTypes, ExecuteMenuFlags, GeneralFlags1, MenuCommand, RcAxisMode, Reset,
+    SystemStateFlags,
 };
 use sbgc_proto::units::Angle;
 use sbgc_proto::wire::PerAxis;
@@ -151,6 +152,11 @@ fn run(machine: &mut Machine, now: Duration, port: u8, command: MenuCommand) -> 
         MenuCommand::LoadProfileSet4 => load_set(machine, now, 4),
         MenuCommand::LoadProfileSet5 => load_set(machine, now, 5),
         MenuCommand::LoadProfileSetBackup => load_set(machine, now, 6),
+        MenuCommand::SwapPitchRoll => machine.rc.pitch_swapped ^= true,
+        MenuCommand::SwapYawRoll => machine.rc.yaw_swapped ^= true,
+        MenuCommand::FrameUpsideDown => machine.parameters.change(|settings| {
+            settings.params.general_flags1.toggle(GeneralFlags1::IS_UPSIDE_DOWN);
+        }),
         MenuCommand::InvertRcRoll => invert(machine, |modes| &mut modes.roll),
         MenuCommand::InvertRcPitch => invert(machine, |modes| &mut modes.pitch),
         MenuCommand::InvertRcYaw => invert(machine, |modes| &mut modes.yaw),

@@ -15,9 +15,9 @@ use sbgc_proto::{CommandId, OutgoingCommand};
 
 use crate::sim::imu::{angles_of_quaternion, quaternion};
 use crate::sim::machine::{Call, Machine};
-use crate::sim::quaternion::TASK_TIMEOUT;
+use crate::sim::quaternion::{QuatControl, TASK_TIMEOUT};
 use crate::sim::reply::{Packet, Refusal, Replies, Reply, done, message, silence};
-use crate::sim::steering::Order;
+use crate::sim::steering::{Order, Shaping, cutoff_time};
 
 pub(super) fn answer(
     machine: &mut Machine,
@@ -52,24 +52,32 @@ fn control(machine: &mut Machine, call: &Call<'_>, command: &ControlQuat) -> Rep
     quat.speed = speed;
     let reports = command.flags.contains(ControlQuatFlags::AUTO_TASK) && target.is_some();
     quat.task = reports.then_some((call.port, call.now));
-    let most = quat.max_speed;
+    let orders = orders(quat);
     if command.mode == ControlQuatMode::Disabled {
         machine.steering.finish(false);
     } else {
-        machine.steering.tell(call.now, call.port, orders(target, speed, most), &machine.motion);
+        machine.steering.tell(call.now, call.port, &orders, &machine.motion);
     }
     machine.steer(call.now);
     if command.flags.contains(ControlQuatFlags::CONFIRM) { done(CommandId::ControlQuat) } else { silence() }
 }
 
-fn orders(target: Option<PerAxis<f64>>, speed: PerXyz<f64>, most: Option<PerXyz<f64>>) -> [Option<Order>; 3] {
+fn orders(quat: &QuatControl) -> [Option<Order>; 3] {
     let along = |parts: PerXyz<f64>| [parts.y, parts.x, parts.z];
-    let limits = most.map(along);
-    let angles = target.map(PerAxis::into_array);
+    let of_axis = |parts: Option<PerXyz<f64>>, index: usize| along(parts?).get(index).copied();
+    // Speed without limits knows no motion profile.
+    let profile = quat.mode != ControlQuatMode::Speed;
     let mut index = 0;
-    along(speed).map(|speed| {
-        let limit = limits.and_then(|limits| limits.get(index).copied()).filter(|limit| *limit > 0.0);
-        let angle = angles.and_then(|angles| angles.get(index).copied());
+    along(quat.speed).map(|speed| {
+        let limit = of_axis(quat.max_speed, index).filter(|limit| *limit > 0.0);
+        let angle = quat.target.and_then(|target| target.into_array().get(index).copied());
+        let shaping = Shaping {
+            acceleration: of_axis(quat.acceleration, index).filter(|_| profile),
+            jerk_time: of_axis(quat.jerk_time, index).filter(|_| profile),
+            angle_filter: quat.attitude_filter,
+            speed_filter: quat.speed_filter,
+            rc_filter: None,
+        };
         index += 1;
         Some(match angle {
             Some(angle) => Order {
@@ -77,10 +85,11 @@ fn orders(target: Option<PerAxis<f64>>, speed: PerXyz<f64>, most: Option<PerXyz<
                 speed: Some(if speed == 0.0 { limit.unwrap_or_default() } else { speed }),
                 angle: Some(angle),
                 signal: 0,
+                shaping,
             },
             None => {
                 let speed = limit.map_or(speed, |limit| speed.clamp(-limit, limit));
-                Order { mode: ControlMode::SPEED, speed: Some(speed), angle: None, signal: 0 }
+                Order { mode: ControlMode::SPEED, speed: Some(speed), angle: None, signal: 0, shaping }
             }
         })
     })
@@ -122,6 +131,14 @@ fn configure(machine: &mut Machine, config: &ControlQuatConfig) -> Replies {
     if config.data_set.contains(ControlQuatConfigDataSet::ACC_LIMIT) {
         quat.acceleration = config.acc_limit.map(|limit| limit.map(f64::from));
     }
+    if config.data_set.contains(ControlQuatConfigDataSet::JERK_SLOPE) {
+        quat.jerk_time = config.jerk_slope.map(|slope| slope.map(|ms| f64::from(ms) / 1000.0));
+    }
+    let filter = |frequency: Option<u8>, before| {
+        frequency.map_or(before, |frequency| Some(cutoff_time(frequency.into())).filter(|time| *time > 0.0))
+    };
+    quat.attitude_filter = filter(config.attitude_lpf_freq, quat.attitude_filter);
+    quat.speed_filter = filter(config.speed_lpf_freq, quat.speed_filter);
     done(CommandId::ControlQuatConfig)
 }
 

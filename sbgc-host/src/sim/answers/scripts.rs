@@ -67,6 +67,11 @@ pub(super) fn start(machine: &mut Machine, now: Duration, port: u8, slot: u8, tr
 pub(super) fn stop(machine: &mut Machine) {
     if let Some(script) = machine.script.take() {
         machine.motion.drop_tasks();
+        for axis in machine.motion.each_mut() {
+            if matches!(axis.goal, Goal::Speed(_)) {
+                axis.goal = Goal::Rest;
+            }
+        }
         machine.events.push(Happened::new(EventId::Script, EventTypes::OFF, script.slot.into()));
     }
 }

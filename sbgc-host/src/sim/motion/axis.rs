@@ -19,6 +19,8 @@ pub struct Limits {
     pub speed: f64,
     /// Acceleration in degrees per second squared; 0 for no limit.
     pub acceleration: f64,
+    /// The time in which an acceleration builds up to its limit, in seconds; 0 for at once.
+    pub jerk_time: f64,
     /// The lowest and highest angle of the joint in degrees, if it is limited.
     pub range: Option<(f64, f64)>,
 }
@@ -70,6 +72,8 @@ pub struct Axis {
     pub present: bool,
     /// What the outer loop has summed up, in degrees per second.
     correction: f64,
+    /// By how much the set-point's speed changed in the last step, in degrees per second.
+    surge: f64,
 }
 
 impl Axis {
@@ -81,10 +85,11 @@ impl Axis {
             setpoint_speed: 0.0,
             goal: Goal::Rest,
             task: None,
-            limits: Limits { speed: 60.0, acceleration: 300.0, range: None },
+            limits: Limits { speed: 60.0, acceleration: 300.0, jerk_time: 0.0, range: None },
             task_acceleration: 300.0,
             present,
             correction: 0.0,
+            surge: 0.0,
         }
     }
 
@@ -95,6 +100,7 @@ impl Axis {
         self.speed = 0.0;
         self.setpoint_speed = 0.0;
         self.correction = 0.0;
+        self.surge = 0.0;
     }
 
     /// Moves where it is thought to be, while what it was told stays.
@@ -130,6 +136,7 @@ impl Axis {
 
     fn step_setpoint(&mut self, seconds: f64, frame: f64) {
         let acceleration = self.acceleration();
+        let jerk_time = if acceleration.is_finite() { self.limits.jerk_time } else { 0.0 };
         let target = self.task.unwrap_or(self.goal);
         let (most, end) = match target {
             Goal::Rest => (0.0, None),
@@ -149,7 +156,11 @@ impl Axis {
             Some(end) => {
                 let way = end - self.setpoint;
                 // The speed that can be lost step by step on the way that is left.
-                let braking = if acceleration.is_finite() {
+                let braking = if jerk_time > 0.0 {
+                    // Braking has to build up, too, and may have to undo an acceleration before.
+                    let (gentle, half) = (acceleration / 2.0, jerk_time);
+                    gentle * ((half * half + 2.0 * way.abs() / gentle).sqrt() - half)
+                } else if acceleration.is_finite() {
                     let half = acceleration * seconds / 2.0;
                     (half * half + 2.0 * acceleration * way.abs()).sqrt() - half
                 } else {
@@ -160,7 +171,17 @@ impl Axis {
             None => most,
         };
         let change = acceleration * seconds;
-        self.setpoint_speed += (wanted - self.setpoint_speed).clamp(-change, change);
+        let mut surge = (wanted - self.setpoint_speed).clamp(-change, change);
+        if jerk_time > 0.0 {
+            // It grows and falls by so much in each step, and is gone when the speed is reached.
+            let slope = change * seconds / jerk_time;
+            let difference = (wanted - self.setpoint_speed).abs();
+            let most = (slope * slope / 4.0 + 2.0 * slope * difference).sqrt() - slope / 2.0;
+            let step = surge.clamp(-most, most) - self.surge;
+            surge = self.surge + step.clamp(-slope, slope);
+        }
+        self.surge = surge;
+        self.setpoint_speed += surge;
         self.setpoint += self.setpoint_speed * seconds;
         let near = if change.is_finite() { change * seconds } else { 1e-6 };
         if let Some(end) = end
@@ -169,6 +190,7 @@ impl Axis {
         {
             self.setpoint = end;
             self.setpoint_speed = 0.0;
+            self.surge = 0.0;
         }
     }
 

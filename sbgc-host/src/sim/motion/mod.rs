@@ -169,10 +169,8 @@ impl Motion {
             match axis.task {
                 Some(task) if axis.present && !axis.has_reached(task) => finished = false,
                 Some(task) => {
-                    // Without another source it comes to rest where the task led.
-                    if axis.goal == Goal::Rest {
-                        axis.goal = task;
-                    }
+                    // It comes to rest where the task led, unless another source moves it on.
+                    axis.goal = task;
                     axis.task = None;
                 }
                 None => {}
@@ -193,7 +191,9 @@ impl Motion {
     /// Ends all tasks where the axes are.
     pub(super) fn drop_tasks(&mut self) {
         for axis in self.each_mut() {
-            axis.task = None;
+            if axis.task.take().is_some() {
+                axis.goal = Goal::Rest;
+            }
         }
     }
 }

@@ -5,22 +5,26 @@
 //! skips them, filters, the second confirmation when all axes with AUTO_TASK are within a degree of their angles, the
 //! time-out, priorities of ports, and that 15 zero bytes undo everything. Serial control goes before remote control.
 //!
-//! Simplified: MIX_FOLLOW and TARGET_PRECISE change nothing. What the filters do exactly is not published; here each
-//! step doubles their time. Following turns the set-point toward the frame with `FOLLOW_SPEED` / 50 degrees per second
-//! for each degree beyond the dead band of 0.1 degrees per step; its curve is not simulated.
+//! Not simulated: MIX_FOLLOW, TARGET_PRECISE and the order of Euler angles are taken and change nothing, since nothing
+//! but their names is published.
+
+mod remote;
+mod shaping;
 
 use std::collections::BTreeMap;
 use std::time::Duration;
 
 use sbgc_proto::commands::{
-    ControlConfig, ControlConfigFlags, ControlMode, ControlModeKind, FollowMode, ProfileFlags2, RcAxis,
-    RcMode,
+    ControlConfig, ControlConfigFlags, ControlMode, ControlModeKind, FollowMode, GeneralFlags2,
 };
 use sbgc_proto::units::ControlRate;
 
 use super::motion::{Axis, Goal, Limits, Motion};
 use super::parameters::Settings;
 use super::rc::{RcInputs, coarse, high_res};
+use remote::{expo_rate, follow_speed, rc_axis, rc_goal};
+pub(super) use shaping::{Shaping, cutoff_time};
+use shaping::{filter, lpf_time};
 
 /// What one command says to one axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,6 +36,8 @@ pub(super) struct Order {
     pub(super) angle: Option<f64>,
     /// The number that stands for a signal in the modes of remote control.
     pub(super) signal: i16,
+    /// What holds for the axis as long as this order does.
+    pub(super) shaping: Shaping,
 }
 
 /// What serial control has told an axis.
@@ -45,15 +51,6 @@ enum Told {
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Task;
 
-/// Changes to how one axis is controlled.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-struct AxisConfig {
-    acceleration: Option<f64>,
-    angle_lpf: Option<u8>,
-    speed_lpf: Option<u8>,
-    rc_lpf: Option<u8>,
-}
-
 #[derive(Debug, Default)]
 #[allow(clippy::struct_excessive_bools, reason = "each stands for itself")]
 pub(super) struct Steering {
@@ -62,13 +59,17 @@ pub(super) struct Steering {
     driven: [bool; 3],
     /// The filtered signals of remote control.
     filtered: [Option<f64>; 3],
+    /// The filtered speeds of following.
+    followed: [Option<f64>; 3],
     /// The filtered angle and speed of serial control.
     smooth: [Option<(f64, f64)>; 3],
     last: Duration,
     timeout: Option<Duration>,
     no_confirm: bool,
     expo: Option<u8>,
-    axes: [AxisConfig; 3],
+    /// What `CMD_CONTROL_CONFIG` has set, and what came with the orders that hold.
+    configured: [Shaping; 3],
+    ordered: [Shaping; 3],
     /// By port.
     priorities: BTreeMap<u8, u8>,
     /// When the last command came, and on which port, if one is in force.
@@ -90,13 +91,14 @@ impl Steering {
     pub(super) fn finish(&mut self, reset: bool) {
         self.told = [None; 3];
         self.smooth = [None; 3];
+        self.ordered = [Shaping::default(); 3];
         self.reporting = false;
         self.since = None;
         if reset {
             self.timeout = None;
             self.no_confirm = false;
             self.expo = None;
-            self.axes = [AxisConfig::default(); 3];
+            self.configured = [Shaping::default(); 3];
             self.priorities.clear();
         }
     }
@@ -118,18 +120,26 @@ impl Steering {
         &mut self,
         now: Duration,
         port: u8,
-        orders: [Option<Order>; 3],
+        orders: &[Option<Order>; 3],
         motion: &Motion,
     ) -> bool {
-        let mut told = self.told;
-        for (index, order) in orders.into_iter().enumerate() {
-            let (Some(order), Some(place)) = (order, told.get_mut(index)) else { continue };
+        let (mut told, mut ordered) = (self.told, self.ordered);
+        for (index, order) in orders.iter().copied().enumerate() {
+            let (Some(order), Some(place), Some(shaping)) =
+                (order, told.get_mut(index), ordered.get_mut(index))
+            else {
+                continue;
+            };
             let Some(axis) = motion.axes().into_array().get(index).copied() else { continue };
             let frame = motion.frame().into_array().get(index).copied().unwrap_or_default();
             match told_by(order, &axis, frame) {
                 Some(Change::Keep) => {}
-                Some(Change::Release) => *place = None,
+                Some(Change::Release) => {
+                    *place = None;
+                    *shaping = Shaping::default();
+                }
                 Some(Change::To(new)) => {
+                    *shaping = order.shaping;
                     let kind = |told: &Option<Told>| told.as_ref().map(std::mem::discriminant);
                     if kind(place) != kind(&Some(new))
                         && let Some(smooth) = self.smooth.get_mut(index)
@@ -142,6 +152,7 @@ impl Steering {
             }
         }
         self.told = told;
+        self.ordered = ordered;
         let is_task = |told: &Option<Told>| matches!(told, Some(Told::Goal(_, Some(Task))));
         self.reporting = self.told.iter().any(is_task);
         self.since = self.told.iter().any(Option::is_some).then_some((now, port));
@@ -163,15 +174,15 @@ impl Steering {
         if config.rc_expo_rate > 0 {
             self.expo = Some(config.rc_expo_rate);
         }
-        for (axis, config) in self.axes.iter_mut().zip(config.axes.into_array()) {
-            let given = |value: u8| (value > 0).then_some(value);
-            if config.acc_limit > 0 {
-                axis.acceleration = Some(config.acc_limit.into());
-            }
-            axis.angle_lpf = given(config.angle_lpf).or(axis.angle_lpf);
-            axis.speed_lpf = given(config.speed_lpf).or(axis.speed_lpf);
-            axis.rc_lpf = given(config.rc_lpf).or(axis.rc_lpf);
+        for (shaping, axis) in self.configured.iter_mut().zip(config.axes.into_array()) {
+            shaping.configure(axis, config.flags);
         }
+    }
+
+    /// What was configured for an axis.
+    fn shaping(&self, index: usize) -> Shaping {
+        let at = |all: &[Shaping; 3]| all.get(index).copied().unwrap_or_default();
+        at(&self.ordered).or(at(&self.configured))
     }
 
     /// Whether something has to be looked at when the board next works through its queue.
@@ -186,8 +197,7 @@ impl Steering {
     /// Whether what drives the axes changes only by commands.
     fn stands(&self) -> bool {
         let fixed = |told: &Option<Told>| matches!(told, None | Some(Told::Goal(..)));
-        self.told.iter().all(fixed)
-            && self.axes.iter().all(|axis| axis.angle_lpf.or(axis.speed_lpf).is_none())
+        self.told.iter().all(fixed) && !(0..3).any(|index| self.shaping(index).is_filtering())
     }
 
     fn follows(&self, settings: &Settings) -> [bool; 3] {
@@ -228,7 +238,7 @@ impl Steering {
         let follows = self.following(settings);
         let frame = motion.frame().into_array();
         for (index, axis) in motion.each_mut().into_iter().enumerate() {
-            let limits = limits(index, settings, self.axes.get(index).copied().unwrap_or_default());
+            let limits = limits(index, settings, self.shaping(index));
             axis.limits = limits;
             axis.task_acceleration = settings.ext2.auto_acc_limiter.degrees_per_second2().into();
             let goal = if held {
@@ -277,28 +287,32 @@ impl Steering {
         follow: Option<f64>,
         seconds: f64,
     ) -> Option<Goal> {
-        let config = self.axes.get(index).copied().unwrap_or_default();
+        let shaping = self.shaping(index);
         let (signal, speed, force_speed) = match self.told.get(index).copied().flatten() {
             Some(Told::Goal(goal, task)) => {
                 if task.is_some() {
                     axis.limits.acceleration = axis.task_acceleration;
                 }
                 let goal = auto_speed(goal, task, settings);
-                return Some(self.smoothed(index, goal, config, axis, seconds));
+                return Some(self.smoothed(index, goal, shaping, axis, seconds));
             }
             Some(Told::Rc { signal, speed, force_speed }) => (signal, speed, force_speed),
-            None => {
-                let source = RcInputs::assigned(settings).get(index).copied()?;
-                match (rc.signal(source, settings), follow) {
-                    (None, None) => return None,
-                    (None, Some(frame)) => {
-                        return Some(Goal::Speed(follow_speed(index, settings, axis, frame)));
-                    }
-                    (signal, _) => (signal, None, false),
+            None => match (rc.of_axis(index, settings), follow) {
+                (None, None) => return None,
+                (None, Some(frame)) => {
+                    let wanted = follow_speed(index, settings, axis, frame);
+                    let lpf = settings.params.follow_lpf.into_array().get(index).copied();
+                    let followed = self.followed.get_mut(index)?;
+                    let time = lpf_time(lpf.unwrap_or_default(), is_extended(settings));
+                    let speed = filter(*followed, wanted, time, seconds);
+                    *followed = Some(speed);
+                    return Some(Goal::Speed(speed));
                 }
-            }
+                (signal, _) => (signal, None, false),
+            },
         };
-        let lpf = config.rc_lpf.unwrap_or(rc_axis(index, settings).rc_lpf);
+        let own = || lpf_time(rc_axis(index, settings).rc_lpf, is_extended(settings));
+        let time = shaping.rc_filter.unwrap_or_else(own);
         let Some(signal) = signal else {
             if let Some(filtered) = self.filtered.get_mut(index) {
                 *filtered = None;
@@ -306,24 +320,20 @@ impl Steering {
             return Some(Goal::Rest);
         };
         let filtered = self.filtered.get_mut(index)?;
-        let signal = filter(*filtered, signal, lpf, seconds);
+        let signal = filter(*filtered, signal, time, seconds);
         *filtered = Some(signal);
         let expo = self.expo.unwrap_or(expo_rate(index, settings));
         Some(rc_goal(index, settings, axis, signal, speed, force_speed, expo))
     }
 
     /// The goal of serial control, through the low-pass filters.
-    fn smoothed(&mut self, index: usize, goal: Goal, config: AxisConfig, axis: &Axis, seconds: f64) -> Goal {
+    fn smoothed(&mut self, index: usize, goal: Goal, shaping: Shaping, axis: &Axis, seconds: f64) -> Goal {
         let Some(smooth) = self.smooth.get_mut(index) else { return goal };
         let (angle, speed) = smooth.unwrap_or((axis.setpoint, axis.setpoint_speed));
-        let angle_of = |wanted| match config.angle_lpf {
-            Some(lpf) => filter(Some(angle), wanted, lpf, seconds),
-            None => wanted,
-        };
-        let speed_of = |wanted| match config.speed_lpf {
-            Some(lpf) => filter(Some(speed), wanted, lpf, seconds),
-            None => wanted,
-        };
+        let angle_of =
+            |wanted| filter(Some(angle), wanted, shaping.angle_filter.unwrap_or_default(), seconds);
+        let speed_of =
+            |wanted| filter(Some(speed), wanted, shaping.speed_filter.unwrap_or_default(), seconds);
         let (goal, now) = match goal {
             Goal::Angle { angle: wanted, speed: own } => {
                 let angle = angle_of(wanted);
@@ -400,88 +410,21 @@ fn auto_speed(goal: Goal, task: Option<Task>, settings: &Settings) -> Goal {
     }
 }
 
-fn rc_axis(index: usize, settings: &Settings) -> RcAxis {
-    settings.params.rc.into_array().get(index).copied().unwrap_or_default()
-}
-
-fn limits(index: usize, settings: &Settings, config: AxisConfig) -> Limits {
+fn limits(index: usize, settings: &Settings, shaping: Shaping) -> Limits {
     let at = |values: [i16; 3]| values.get(index).copied().map(f64::from).unwrap_or_default();
     let least = at(settings.ext2.frame_cam_angle_min.into_array());
     let most = at(settings.ext2.frame_cam_angle_max.into_array());
     let own = settings.ext2.acc_limiter.into_array().get(index).copied().unwrap_or_default();
+    let slope = settings.ext2.jerk_slope.into_array().get(index).copied().unwrap_or_default();
     Limits {
         speed: speed_of(rc_axis(index, settings).rc_speed),
-        acceleration: config.acceleration.unwrap_or(own.degrees_per_second2().into()),
+        acceleration: shaping.acceleration.unwrap_or(own.degrees_per_second2().into()),
+        jerk_time: shaping.jerk_time.unwrap_or(f64::from(slope) / 1000.0),
         range: (least < most).then_some((least, most)),
     }
 }
 
-fn is_split(settings: &Settings) -> bool {
-    settings.ext3.profile_flags2.contains(ProfileFlags2::RC_EXPO_DEADBAND_SPLIT)
-}
-
-fn expo_rate(index: usize, settings: &Settings) -> u8 {
-    match index {
-        1 if is_split(settings) => settings.ext3.rc_expo_rate_pitch,
-        2 if is_split(settings) => settings.ext3.rc_expo_rate_yaw,
-        _ => settings.params.rc_expo_rate,
-    }
-}
-
-fn dead_band(index: usize, settings: &Settings) -> f64 {
-    f64::from(match index {
-        1 if is_split(settings) => settings.ext3.rc_deadband_pitch,
-        2 if is_split(settings) => settings.ext3.rc_deadband_yaw,
-        _ => settings.params.rc_deadband,
-    }) / 500.0
-}
-
-/// A step of a low-pass filter; each step of `lpf` doubles its time, from 16 ms on.
-fn filter(before: Option<f64>, wanted: f64, lpf: u8, seconds: f64) -> f64 {
-    let Some(before) = before.filter(|_| lpf > 0) else { return wanted };
-    let time = 0.008 * f64::from(2.0_f32.powi(lpf.min(15).into()));
-    let next = before + (wanted - before) * (1.0 - (-seconds / time).exp());
-    if (next - wanted).abs() < 1e-4 { wanted } else { next }
-}
-
-/// What a signal makes an axis do.
-fn rc_goal(
-    index: usize,
-    settings: &Settings,
-    axis: &Axis,
-    signal: f64,
-    speed: Option<f64>,
-    force_speed: bool,
-    expo: u8,
-) -> Goal {
-    let rc = rc_axis(index, settings);
-    let trim = settings.params.rc_trim.into_array().get(index).copied().unwrap_or_default();
-    let mut signal = signal;
-    if !force_speed {
-        signal += f64::from(trim) / 500.0;
-        let band = dead_band(index, settings).min(0.99);
-        signal =
-            if signal.abs() <= band { 0.0 } else { (signal.abs() - band) / (1.0 - band) * signal.signum() };
-        if rc.rc_mode.inverted() {
-            signal = -signal;
-        }
-    }
-    let signal = signal.clamp(-1.0, 1.0);
-    let bend = f64::from(expo.min(100)) / 100.0;
-    let signal = signal * (1.0 - bend + bend * signal * signal);
-    if force_speed || rc.rc_mode.mode() == RcMode::Speed {
-        return Goal::Speed(signal * speed.unwrap_or(axis.limits.speed));
-    }
-    let (least, most) = (f64::from(rc.rc_min_angle), f64::from(rc.rc_max_angle));
-    Goal::Angle { angle: least + (most - least) * (signal + 1.0) / 2.0, speed }
-}
-
-/// How fast the set-point follows the frame.
-fn follow_speed(index: usize, settings: &Settings, axis: &Axis, frame: f64) -> f64 {
-    let params = &settings.params;
-    let offset = params.follow_offset.into_array().get(index).copied().unwrap_or_default();
-    let rate = params.follow_speed.into_array().get(index).copied().unwrap_or_default();
-    let error = frame + f64::from(offset) - axis.setpoint;
-    let beyond = (error.abs() - f64::from(params.follow_deadband) * 0.1).max(0.0);
-    beyond * f64::from(rate) / 50.0 * error.signum()
+/// Whether the numbers of filters in the parameters are those of the extended range.
+fn is_extended(settings: &Settings) -> bool {
+    settings.ext2.general_flags2.contains(GeneralFlags2::LPF_EXTENDED_RANGE)
 }

@@ -62,6 +62,7 @@ impl StateFile {
                         continue;
                     }
                     let image = image(&mut file)?;
+                    remove_leftovers(&path);
                     let board = Board::with_eeprom(config.clone(), image).ok_or_else(damaged)?;
                     let saved = board.eeprom_changes();
                     return Ok((Self { path, file, saved }, board));
@@ -111,6 +112,24 @@ fn beside(path: &Path) -> PathBuf {
     let mut name = path.as_os_str().to_owned();
     name.push(format!(".new-{}", std::process::id()));
     name.into()
+}
+
+/// Removes what programs that were killed have left beside the file, which is locked: nobody else writes there now.
+fn remove_leftovers(path: &Path) {
+    let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    let (Ok(entries), Some(name)) = (fs::read_dir(directory.unwrap_or(Path::new("."))), path.file_name())
+    else {
+        return;
+    };
+    for entry in entries.flatten() {
+        let other = entry.file_name();
+        let rest = other.as_encoded_bytes().strip_prefix(name.as_encoded_bytes());
+        let number = rest.and_then(|rest| rest.strip_prefix(b".new-"));
+        if number.is_some_and(|number| !number.is_empty() && number.iter().all(u8::is_ascii_digit)) {
+            // What stays does no harm.
+            let _ = fs::remove_file(entry.path());
+        }
+    }
 }
 
 /// Writes a whole state, to the disk, and locks it before anybody sees it.
@@ -269,6 +288,14 @@ mod tests {
         state.save(&board).unwrap();
         assert_eq!(fs::read(directory.state()).unwrap(), new);
         drop(state);
+        // What a killed program has left is removed, and nothing else.
+        for beside in ["state.new-1", "state.new-4000000000", "state.new-", "state.newer", "other.new-1"] {
+            fs::write(directory.0.join(beside), b"half").unwrap();
+        }
         StateFile::open(&directory.state(), &Config::default()).unwrap();
+        let mut left: Vec<_> =
+            fs::read_dir(&directory.0).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        left.sort();
+        assert_eq!(left, ["other.new-1", "state", "state.new-", "state.newer"]);
     }
 }

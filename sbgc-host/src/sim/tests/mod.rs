@@ -2,6 +2,7 @@
 
 mod control;
 mod every_command;
+mod every_payload;
 mod faults;
 mod line;
 mod memory;

@@ -14,9 +14,8 @@ use crate::failure::Failure;
 use crate::options::{Color, Common, Global, variable};
 use crate::{talk, text};
 
-/// Talk to SimpleBGC32 camera gimbals: find, configure, move, watch and record.
 #[derive(Debug, Parser)]
-#[command(name = "sbgc", version, arg_required_else_help = true)]
+#[command(name = "sbgc", about = ABOUT, version, arg_required_else_help = true)]
 #[command(disable_help_subcommand = true, max_term_width = 120)]
 struct Arguments {
     #[command(subcommand)]
@@ -26,11 +25,14 @@ struct Arguments {
     common: Common,
 }
 
+/// The first line of help.
+const ABOUT: &str = "Configure, move, watch and record SimpleBGC32 camera gimbals";
+
 /// The last line of the help of each command.
 const ELSEWHERE: &str = "Common options (--port, --json, --yes, --dry-run, ...): see sbgc --help";
 
 const EXIT_CODES: &str = "Exit codes: 0 done, 1 failed, 2 wrong usage, 3 no answer from a board, 4 refused by the \
-    board, 5 cancelled: confirmation required";
+    board, 5 not confirmed";
 
 /// Reads the arguments.
 ///
@@ -56,7 +58,8 @@ pub(crate) fn interface() -> clap::Command {
     let names: Vec<String> =
         interface.get_subcommands().map(|command| command.get_name().to_owned()).collect();
     for name in names {
-        interface = interface.mut_subcommand(name, helpful);
+        let full = format!("sbgc {name}");
+        interface = interface.mut_subcommand(name, |command| helpful(command, &full));
     }
     interface.help_template(front_page())
 }
@@ -68,29 +71,50 @@ fn compact(command: clap::Command) -> clap::Command {
 }
 
 /// The help of a command and of its own commands: what it does in full, and where the common options are explained.
-fn helpful(command: clap::Command) -> clap::Command {
+/// `name` is the command with those before it.
+fn helpful(command: clap::Command, name: &str) -> clap::Command {
     let names: Vec<String> = command.get_subcommands().map(|command| command.get_name().to_owned()).collect();
-    let command =
-        names.into_iter().fold(compact(command), |command, name| command.mut_subcommand(name, helpful));
-    let about = command.get_long_about().or(command.get_about()).map(ToString::to_string).unwrap_or_default();
+    let command = names.into_iter().fold(compact(command), |command, own| {
+        let full = format!("{name} {own}");
+        command.mut_subcommand(own, |command| helpful(command, &full))
+    });
     let width = text::width();
-    let lines: Vec<_> = about.lines().map(|line| text::wrap(line, width).join("\n")).collect();
+    let about = command.get_long_about().or(command.get_about()).map(ToString::to_string).unwrap_or_default();
     let mut after = command.get_after_help().map(ToString::to_string).unwrap_or_default();
     if !after.is_empty() {
         after.push_str("\n\n");
     }
     after.push_str(ELSEWHERE);
-    command.after_help(after).help_template(format!(
-        "{}\n\n{{usage-heading}} {{usage}}\n\n{{all-args}}{{after-help}}",
-        lines.join("\n")
-    ))
+    // Usage is not wrapped by the library.
+    let usage = command.clone().bin_name(name).render_usage().to_string();
+    let usage = text::wrap(usage.trim_start_matches("Usage:"), width.saturating_sub(USAGE));
+    let template = format!(
+        "{}\n\n{{usage-heading}} {}\n\n{{all-args}}\n\n{}\n",
+        wrapped(&about, width),
+        usage.join(&format!("\n{:USAGE$}", "")),
+        wrapped(&after, width),
+    );
+    command.help_template(template)
+}
+
+/// Columns of `Usage: `.
+const USAGE: usize = 7;
+
+/// Text of several lines for this width; examples stay as they are, to be copied.
+fn wrapped(text: &str, width: usize) -> String {
+    let line = |line: &str| {
+        if line.starts_with(' ') { line.to_owned() } else { text::wrap(line, width).join("\n") }
+    };
+    let lines: Vec<String> = text.lines().map(line).collect();
+    lines.join("\n")
 }
 
 /// What `sbgc --help` shows: all commands by group, and the options of all of them.
 fn front_page() -> String {
     let width = text::width();
-    let mut page = String::from("{about}\n\n{usage-heading} {usage}\n\n");
+    let mut page = format!("{}\n\n{{usage-heading}} {{usage}}\n\n", text::wrap(ABOUT, width).join("\n"));
     let groups = commands::groups();
+    let about = |command: &clap::Command| command.get_about().map(ToString::to_string).unwrap_or_default();
     let longest = |lengths: &mut dyn Iterator<Item = usize>| lengths.max().unwrap_or_default();
     let left = longest(&mut groups.iter().map(|(heading, _)| heading.len()));
     let middle = longest(
@@ -99,13 +123,16 @@ fn front_page() -> String {
             .flat_map(|(_, group)| group.get_subcommands())
             .map(|command| command.get_name().len()),
     );
-    let indent = left + middle + 4;
+    let abouts =
+        groups.iter().flat_map(|(_, group)| group.get_subcommands()).map(|command| about(command).len());
+    // A narrow terminal has no room for the groups.
+    let left = if left + middle + 4 + longest(&mut abouts.into_iter()) > width { 0 } else { left + 2 };
+    let indent = left + middle + 2;
     for (heading, group) in &groups {
-        let mut heading = *heading;
+        let mut heading = if left == 0 { "" } else { heading };
         for command in group.get_subcommands() {
-            let about = command.get_about().map(ToString::to_string).unwrap_or_default();
-            let lines = text::wrap(&about, width.saturating_sub(indent).max(16));
-            let first = format!("{heading:<left$}  {:<middle$}  ", command.get_name());
+            let lines = text::wrap(&about(command), width.saturating_sub(indent).max(16));
+            let first = format!("{heading:<left$}{:<middle$}  ", command.get_name());
             page.push_str(&first);
             page.push_str(&lines.join(&format!("\n{:indent$}", "")));
             page.push('\n');

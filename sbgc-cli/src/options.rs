@@ -24,19 +24,19 @@ pub(crate) struct Common {
     #[arg(long, global = true, hide = true, value_name = "N", value_parser = baud)]
     baud: Option<Baud>,
 
-    /// Parity: none, even or auto [default: none]
-    #[arg(long, global = true, hide = true, value_name = "PARITY", value_enum, hide_possible_values = true)]
+    /// none, even or auto [default: none]
+    #[arg(long, global = true, hide = true, value_name = "P", value_enum, hide_possible_values = true)]
     parity: Option<Parity>,
 
-    /// Protocol version: 1, 2 or auto [default: auto]
-    #[arg(long, global = true, hide = true, value_name = "VERSION", value_enum, hide_possible_values = true)]
+    /// 1, 2 or auto [default: auto]
+    #[arg(long, global = true, hide = true, value_name = "V", value_enum, hide_possible_values = true)]
     protocol: Option<Protocol>,
 
-    /// Time to wait for an answer [default: 500ms]
+    /// Wait for an answer [default: 500ms]
     #[arg(long, global = true, hide = true, value_name = "TIME", value_parser = values::timeout)]
     timeout: Option<Duration>,
 
-    /// Print JSON Lines; errors are JSON too
+    /// Print JSON Lines, errors too
     #[arg(long, global = true, hide = true)]
     json: bool,
 
@@ -44,15 +44,15 @@ pub(crate) struct Common {
     #[arg(long, short, global = true, hide = true)]
     yes: bool,
 
-    /// Print the frames of changes, send nothing
+    /// Print the frames, change nothing
     #[arg(long, global = true, hide = true)]
     dry_run: bool,
 
-    /// Log the link to standard error; -vv: every frame
+    /// Log the link; -vv: every frame
     #[arg(long, short, global = true, hide = true, action = clap::ArgAction::Count)]
     verbose: u8,
 
-    /// Colors: auto, always or never [default: auto]
+    /// auto, always, never [default: auto]
     #[arg(long, global = true, hide = true, value_name = "WHEN", value_enum, hide_possible_values = true)]
     color: Option<Color>,
 }

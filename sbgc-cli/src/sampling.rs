@@ -3,6 +3,7 @@
 use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
+use clap_complete::engine::{ArgValueCandidates, CompletionCandidate};
 use sbgc_host::capture::{Interpreted, Interpreter};
 use sbgc_host::streams::Sample;
 use sbgc_host::{Gimbal, StreamRequest, Subscription};
@@ -27,7 +28,7 @@ pub(crate) struct Selection {
     kind: Option<Kind>,
 
     /// Data of custom, custom2, can-drv or ext-motors: comma-separated flags, such as IMU_ANGLES,GYRO_DATA
-    #[arg(long, value_name = "NAMES", value_delimiter = ',')]
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', add = ArgValueCandidates::new(candidates))]
     data: Vec<String>,
 
     /// CAN motor driver of can-drv, or motors of ext-motors as a bit mask
@@ -115,6 +116,15 @@ impl Kind {
             Kind::Attitude | Kind::Realtime3 | Kind::Realtime4 | Kind::Ahrs => &[],
         }
     }
+}
+
+/// What a shell completes for data.
+fn candidates() -> Vec<CompletionCandidate> {
+    let labels = Kind::value_variants().iter().flat_map(|kind| names(kind.labels()));
+    let mut all: Vec<&str> = labels.collect();
+    all.sort_unstable();
+    all.dedup();
+    all.into_iter().map(CompletionCandidate::new).collect()
 }
 
 fn names(labels: &[Label]) -> Vec<&'static str> {

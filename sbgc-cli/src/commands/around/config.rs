@@ -12,7 +12,7 @@ const EXAMPLES: &str = "Examples:
   sbgc config
   sbgc config --baud 57600 --json";
 
-/// Show the common options and where each value comes from
+/// Show the settings and where each comes from
 ///
 /// A value comes from the option, else from the environment (SBGC_PORT, SBGC_BAUD, ...), else from
 /// $XDG_CONFIG_HOME/sbgc/config.toml, where keys are called as the options (port = "/dev/ttyUSB0"), else it is the

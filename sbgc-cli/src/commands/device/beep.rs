@@ -18,7 +18,7 @@ const EXAMPLES: &str = "Examples:
   sbgc beep C5 E5 G5 - C6 --length 150ms
   sbgc beep --sound complete";
 
-/// Play a sound or a melody on the motors or the buzzer
+/// Play a sound or a melody
 ///
 /// Notes are names (C5, F#5, Bb5), frequencies (880Hz) or - for a pause. The board plays 554 Hz and up; a melody with
 /// lower notes is played octaves higher.

@@ -16,7 +16,7 @@ const EXAMPLES: &str = "Examples:
   sbgc --dry-run boot
   sbgc --yes boot --delay 500ms";
 
-/// Enter the bootloader for a firmware update; asks first
+/// Enter the bootloader; asks first
 ///
 /// The gimbal stops working until the board is restarted.
 #[derive(Args, Debug)]

@@ -1,6 +1,7 @@
 //! `sbgc pin`: the board's pins.
 
 use clap::{Args, ValueEnum};
+use clap_complete::engine::{ArgValueCandidates, CompletionCandidate};
 use sbgc_host::actions::PinLevel;
 use sbgc_proto::commands::{TriggerPin, TriggerPinId, TriggerPinState};
 use serde_json::json;
@@ -24,7 +25,7 @@ const EXAMPLES: &str = "Examples:
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Pin {
     /// Pin: a number or a name
-    #[arg(value_name = "N", value_parser = pin)]
+    #[arg(value_name = "N", value_parser = pin, add = ArgValueCandidates::new(candidates))]
     pin: TriggerPinId,
 
     /// What to do with it
@@ -46,6 +47,11 @@ enum Action {
 
 fn short(name: &str) -> String {
     name.strip_prefix("PIN_").unwrap_or(name).to_ascii_lowercase()
+}
+
+/// What a shell completes for a pin.
+fn candidates() -> Vec<CompletionCandidate> {
+    TriggerPinId::LABELS.iter().map(|label| CompletionCandidate::new(short(label.name))).collect()
 }
 
 fn pin(text: &str) -> Result<TriggerPinId, String> {

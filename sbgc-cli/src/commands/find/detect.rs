@@ -17,9 +17,9 @@ const EXAMPLES: &str = "Examples:
   sbgc detect
   sbgc detect --baud 115200 --json";
 
-/// Try all ports, rates, parities and protocol versions
+/// Find boards on all ports, at all rates
 ///
-/// Prints every combination that a board answers, and why a port has none. A board on USB may answer at every rate.
+/// Tries all rates, parities and protocol versions, prints every combination that a board answers, and why a port has none. A board on USB may answer at every rate.
 /// Options narrow what is tried: --port, --baud, --parity, --protocol, --timeout. Ends with 0 when a board was found,
 /// else with 3.
 #[derive(Args, Debug)]

@@ -18,9 +18,9 @@ const EXAMPLES: &str = "Examples:
   sbgc info
   sbgc info --json";
 
-/// Show what the board is: versions, features, ids, memory, modules, statistics
+/// Show what the board is
 ///
-/// Statistics, such as the working time, and the modules on the CAN bus are shown where the board has them. Text output
+/// Prints versions, features, ids and memory. Statistics, such as the working time, and the modules on the CAN bus are shown where the board has them. Text output
 /// omits zero fields; --json includes them.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]

@@ -16,8 +16,8 @@ use crate::failure::Failure;
 use crate::{files, signals, talk, text};
 
 const EXAMPLES: &str = "Examples:
-  sbgc record attitude.log --for 2s && sbgc plot attitude.log -o attitude.svg
-  sbgc record all.log realtime3 --for 2s && sbgc plot all.log -o all.png --fields imu_angle.pitch,bat_level";
+  sbgc record a.log --for 2s && sbgc plot a.log -o a.svg
+  sbgc record a.log --for 2s && sbgc plot a.log -o a.png --fields imu_angles.yaw";
 
 /// Draw a recording as SVG or PNG
 ///

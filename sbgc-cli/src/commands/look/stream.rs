@@ -16,7 +16,7 @@ use crate::{talk, values};
 
 const EXAMPLES: &str = "Examples:
   sbgc stream --count 10
-  sbgc stream custom --data IMU_ANGLES,GYRO_DATA --interval 100Hz --for 2s --json
+  sbgc stream custom --data IMU_ANGLES,GYRO_DATA --interval 100Hz --for 2s
   sbgc stream realtime3 --fields bat_level,imu_angle.pitch --csv --count 5";
 
 /// Show live data

@@ -69,7 +69,7 @@ enum What {
     #[command(after_help = "Examples:
   sbgc adj config
   sbgc adj config 'trigger_slots[0]'
-  sbgc adj config 'analog_slots[0].analog_src_ch=ADC1' 'analog_slots[0].var_id=VAR_ID=P_PITCH' --yes")]
+  sbgc adj config 'analog_slots[0].analog_src_ch=ADC1' --yes")]
     Config {
         /// Names to show, or NAME=VALUE to change
         #[arg(value_name = "NAME[=VALUE]")]

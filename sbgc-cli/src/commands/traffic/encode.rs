@@ -1,9 +1,11 @@
 //! `sbgc encode`: the inverse of `decode`, a frame from a command's name and fields.
 
 use std::cell::OnceCell;
+use std::collections::BTreeSet;
 use std::io::Write as _;
 
 use clap::{Args, ValueEnum};
+use clap_complete::engine::{ArgValueCandidates, CompletionCandidate};
 use sbgc_host::capture::{Interpreted, Meaning};
 use sbgc_proto::frame::{MAX_FRAME, MAX_PAYLOAD, Version};
 use sbgc_proto::reflect::{self, AssignError, Input};
@@ -23,13 +25,14 @@ const EXAMPLES: &str = "Examples:
   sbgc encode READ_PARAMS profile_id=1
   sbgc encode MOTORS_OFF mode=1 --protocol 1";
 
-/// Build a frame from a command name and field values
+/// Build a frame from names and values
 ///
 /// --json prints the frame as `decode --json` does, and its bytes as `frame`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Encode {
     /// The spec's name of the command, with or without CMD_, or its number
+    #[arg(add = ArgValueCandidates::new(candidates))]
     name: String,
 
     /// Fields as PATH=VALUE: anything that decode prints for a field; omitted fields are zero or absent
@@ -55,6 +58,13 @@ enum Way {
     Outgoing,
     /// Controller to host
     Incoming,
+}
+
+/// What a shell completes for the name of a command.
+pub(super) fn candidates() -> Vec<CompletionCandidate> {
+    let names = OutgoingCommand::ALL.iter().map(|info| info.spec.trim_start_matches("CMD_"));
+    let names: BTreeSet<&str> = names.collect();
+    names.into_iter().map(CompletionCandidate::new).collect()
 }
 
 pub(super) fn assignment(text: &str) -> Result<(String, String), String> {

@@ -16,7 +16,7 @@ const EXAMPLES: &str = "Examples:
   sbgc proxy
   sbgc proxy --listen 127.0.0.1:0 --read-only --json";
 
-/// Share one board among several programs over TCP
+/// Share one board among several programs
 ///
 /// Prints its address on the first line, then runs until stopped. Answers go to who asked; equal data streams are shared;
 /// streams end with their clients. Other programs connect with --port tcp://HOST:PORT.

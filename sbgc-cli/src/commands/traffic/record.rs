@@ -21,7 +21,7 @@ const EXAMPLES: &str = "Examples:
   sbgc record session.log --for 1s
   sbgc record session.log realtime4 --interval 50Hz --count 20 --json";
 
-/// Record a stream and all other traffic into a file
+/// Record a stream and all other traffic
 ///
 /// Subscribes as `sbgc stream` does, and writes every frame of both directions with its time, one per line and at once.
 /// A file of this name is replaced. Read it with `sbgc decode`, `sbgc plot` or `sbgc replay`.

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use clap::{ArgGroup, Args};
+use clap_complete::engine::ArgValueCandidates;
 use sbgc_host::Gimbal;
 use sbgc_host::capture::Item;
 use sbgc_proto::frame::{Decoder, Event, Versions};
@@ -10,7 +11,7 @@ use sbgc_proto::{CommandId, Direction, RequestInfo};
 use serde_json::json;
 
 use super::danger::dangerous;
-use super::encode::{assignment, outgoing};
+use super::encode::{assignment, candidates, outgoing};
 use super::explain::Explainer;
 use crate::connect::with_board;
 use crate::failure::Failure;
@@ -23,7 +24,7 @@ const EXAMPLES: &str = "Examples:
   sbgc send BEEP_SOUND mode=BEEPER_MODE_COMPLETE --json
   sbgc send --raw '24 49 00 49 04 08'";
 
-/// Send a command by name, or a raw frame, and show the answer
+/// Send a command by name, or a raw frame
 ///
 /// The answer that the protocol has for the command is waited for. Asks first for commands that change what the board
 /// keeps. --json prints the frames of both directions, then the outcome.
@@ -31,6 +32,7 @@ const EXAMPLES: &str = "Examples:
 #[command(after_help = EXAMPLES, group = ArgGroup::new("what").required(true).args(["name", "raw"]))]
 pub(crate) struct Send {
     /// The spec's name of the command, with or without CMD_, or its number
+    #[arg(add = ArgValueCandidates::new(candidates))]
     name: Option<String>,
 
     /// Fields as PATH=VALUE, as encode takes them

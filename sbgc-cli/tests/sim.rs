@@ -3,33 +3,8 @@
 mod common;
 
 use std::fs;
-use std::io::{BufRead, BufReader};
-use std::process::{Child, Stdio};
 
-use common::{objects, run, sbgc, stderr, stdout};
-
-/// A served board, and where it is.
-struct Served(Child, String);
-
-impl Served {
-    fn start(arguments: &[&str]) -> Self {
-        let mut child = sbgc().arg("sim").args(arguments).stdout(Stdio::piped()).spawn().unwrap();
-        let mut first = String::new();
-        BufReader::new(child.stdout.take().unwrap()).read_line(&mut first).unwrap();
-        Self(child, first.trim().to_owned())
-    }
-
-    fn run(&self, arguments: &[&str]) -> std::process::Output {
-        run(&[&["--port", &self.1], arguments].concat())
-    }
-}
-
-impl Drop for Served {
-    fn drop(&mut self) {
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
+use common::{Served, objects, run, stderr, stdout};
 
 #[test]
 fn a_board_with_a_state_remembers() {

@@ -131,6 +131,90 @@ impl Drop for Board {
     }
 }
 
+/// A simulated board that the program serves with options, and where it is.
+pub(crate) struct Served {
+    child: Child,
+    port: String,
+}
+
+impl Served {
+    pub(crate) fn start(arguments: &[&str]) -> Self {
+        let mut command = sbgc();
+        command.arg("sim").args(arguments).stdout(Stdio::piped());
+        let mut child = command.spawn().expect("the program can be started");
+        let mut first = String::new();
+        let stdout = child.stdout.take().expect("it was asked for");
+        BufReader::new(stdout).read_line(&mut first).expect("a first line");
+        Self { child, port: first.trim().to_owned() }
+    }
+
+    pub(crate) fn port(&self) -> &str {
+        &self.port
+    }
+
+    /// Runs the program with it.
+    pub(crate) fn run(&self, arguments: &[&str]) -> Output {
+        run(&[&["--port", &self.port], arguments].concat())
+    }
+}
+
+impl Drop for Served {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// A program whose lines are read while it runs. It is ended when it is dropped.
+pub(crate) struct Running {
+    child: Child,
+    lines: std::io::Lines<BufReader<std::process::ChildStdout>>,
+}
+
+impl Running {
+    pub(crate) fn start(arguments: &[&str]) -> Self {
+        let mut command = sbgc();
+        command.args(arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("the program can be started");
+        let lines = BufReader::new(child.stdout.take().expect("it was asked for")).lines();
+        Self { child, lines }
+    }
+
+    /// The next line of its output.
+    pub(crate) fn line(&mut self) -> String {
+        self.lines.next().expect("one more line").expect("text")
+    }
+
+    /// The next line as JSON.
+    pub(crate) fn object(&mut self) -> Value {
+        serde_json::from_str(&self.line()).expect("JSON")
+    }
+
+    /// Waits until it says this on standard error.
+    pub(crate) fn wait_until_said(&mut self, part: &str) {
+        let (mut said, mut byte) = (Vec::new(), [0]);
+        let error = self.child.stderr.as_mut().expect("it was asked for");
+        while !String::from_utf8_lossy(&said).contains(part) {
+            let read = std::io::Read::read(error, &mut byte).expect("it is open");
+            assert!(read > 0, "{part:?} is not in: {}", String::from_utf8_lossy(&said));
+            said.push(byte[0]);
+        }
+    }
+
+    /// Sends it a signal and returns its exit code.
+    pub(crate) fn end(mut self, name: &str) -> Option<i32> {
+        signal(self.child.id(), name);
+        self.child.wait().expect("it ends").code()
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
 /// Sends a signal to a process.
 pub(crate) fn signal(process: u32, signal: &str) {
     let sent =

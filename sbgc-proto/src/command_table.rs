@@ -178,7 +178,7 @@ macro_rules! with_commands {
             /// Payload not published.
             RealtimeDataCanDrv = 101, outgoing(RealtimeDataCanDrvRequest<'a>), incoming(RealtimeDataCanDrv<'a>);
             /// Reports an event.
-            Event = 102, outgoing(), incoming(Event<'a>);
+            Event = 102, outgoing(), incoming(BoardEvent<'a>);
             /// Calibrates the gyroscope of an IMU.
             CalibGyro = 103, outgoing(CalibGyroSimple, CalibGyro), incoming();
             /// Requests configuration block 4 of one profile.

@@ -8,7 +8,7 @@ use crate::wire::Slot;
 /// Facts about the exchange that a command starts.
 ///
 /// [`Message::REQUEST`](crate::Message::REQUEST) has it for a type, [`RequestInfo::of_payload`] for bytes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct RequestInfo {
     /// Command id of the answer; `None` if there is none, or none is certain.
@@ -19,25 +19,28 @@ pub struct RequestInfo {
     pub slow: bool,
     /// What the answer repeats of the request.
     pub(crate) echo: &'static [Echo],
+    /// Payload bytes of the answer to a request with this payload, where the request determines them.
+    pub(crate) answer_len: fn(&[u8]) -> Option<usize>,
 }
 
 impl RequestInfo {
     /// Of a message that nothing answers and that does nothing: those from the board.
-    pub(crate) const NONE: Self = Self { answer: None, acts: false, slow: false, echo: &[] };
+    pub(crate) const NONE: Self = Self::new(None, false, false, &[], |_| None);
 
-    /// A request that is answered by `answer`, which repeats `echo`.
+    /// A request that is answered by `answer`, which repeats `echo` and has the length `answer_len`.
     pub(crate) const fn new(
         answer: Option<CommandId>,
         acts: bool,
         slow: bool,
         echo: &'static [Echo],
+        answer_len: fn(&[u8]) -> Option<usize>,
     ) -> Self {
-        Self { answer, acts, slow, echo }
+        Self { answer, acts, slow, echo, answer_len }
     }
 }
 
 /// Something in a request that its answer repeats.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Echo {
     rule: Rule,
     /// Where it stands in the request.
@@ -49,7 +52,7 @@ pub(crate) struct Echo {
 }
 
 /// How it is repeated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Rule {
     /// As it is.
     Same,
@@ -63,6 +66,8 @@ enum Rule {
     Each,
     /// Of several bits the number of one.
     OneOf,
+    /// At least one of several bits.
+    AnyOf,
     /// A number from which on things are listed, so that the answer has it or a greater one.
     From,
 }
@@ -115,6 +120,11 @@ impl Echo {
         Self::new(Rule::OneOf, request, answer)
     }
 
+    /// The answer has at least one of the bits.
+    pub(crate) const fn any_of(request: Slot, answer: Slot) -> Self {
+        Self::new(Rule::AnyOf, request, answer)
+    }
+
     /// The answer has a list whose first element begins with that number or a greater one.
     pub(crate) const fn from(request: Slot, answer: Slot, element: &str) -> Self {
         let Some(elements) = answer.elements else { panic!("the answer must have a list") };
@@ -145,11 +155,20 @@ impl Echo {
                 ([bits, ..], [number, ..]) => bits.checked_shr(u32::from(*number)).unwrap_or(0) & 1 != 0,
                 _ => true,
             },
+            Rule::AnyOf => match (request, answer) {
+                ([bits, ..], [others, ..]) => bits & others != 0,
+                _ => true,
+            },
             Rule::From => match (request, answer) {
                 ([first, ..], [number, ..]) => number >= first,
                 _ => true,
             },
         }
+    }
+
+    /// Whether the answer has the flags that select its fields, and so says itself what it consists of.
+    pub(crate) fn names_fields(self, request: &[u8]) -> bool {
+        self.rule == Rule::Flags && has_highest(from(request, self.request), usize::from(self.size))
     }
 
     /// Whether no answer could repeat both requests.
@@ -162,7 +181,9 @@ impl Echo {
             Rule::Profile => names_profile(one) && names_profile(other) && differ(size),
             Rule::Flags => has_highest(one, size) && has_highest(other, size) && differ(size),
             Rule::Each => differ(one.first().map_or(0, |&count| usize::from(count) + 1)),
-            Rule::OneOf => matches!((one, other), ([one, ..], [other, ..]) if one & other == 0),
+            Rule::OneOf | Rule::AnyOf => {
+                matches!((one, other), ([one, ..], [other, ..]) if one & other == 0)
+            }
             // Nothing says how many bytes the answer has, or where its list ends.
             Rule::Number | Rule::From => false,
         }

@@ -127,6 +127,7 @@ pub mod reflect;
 mod serde_support;
 mod text;
 pub mod units;
+mod version;
 pub mod wire;
 
 pub use command::{IncomingCommand, OutgoingCommand};

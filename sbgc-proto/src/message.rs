@@ -186,7 +186,34 @@ pub trait Request: Message {
     ///
     /// # Errors
     /// If the payload is too short.
-    fn decode_answer<'answer>(&self, payload: &'answer [u8]) -> Result<Self::Answer<'answer>, DecodeError>;
+    fn decode_answer<'answer>(&self, payload: &'answer [u8]) -> Result<Self::Answer<'answer>, DecodeError> {
+        self.decode_answer_prefix(payload).map(|(answer, _)| answer)
+    }
+
+    /// Decodes the answer to this request, like [`decode_answer`](Self::decode_answer), and returns the bytes after the
+    /// known part.
+    ///
+    /// # Errors
+    /// If the payload is too short.
+    fn decode_answer_prefix<'answer>(
+        &self,
+        payload: &'answer [u8],
+    ) -> Result<(Self::Answer<'answer>, &'answer [u8]), DecodeError>;
+
+    /// Number of payload bytes of the answer; `None` if the request does not determine it.
+    ///
+    /// ```
+    /// use sbgc_proto::Request;
+    /// use sbgc_proto::commands::{BoardInfoRequest, RealtimeDataCustomFlags, RealtimeDataCustomRequest};
+    ///
+    /// let flags = RealtimeDataCustomFlags::IMU_ANGLES;
+    /// let request = RealtimeDataCustomRequest { flags, ..Default::default() };
+    /// assert_eq!(request.answer_len(), Some(2 + 6));
+    /// assert_eq!(BoardInfoRequest.answer_len(), None);
+    /// ```
+    fn answer_len(&self) -> Option<usize> {
+        None
+    }
 }
 
 /// Appends the payload of a message to `out`, unless its length is that of another form.

@@ -1,8 +1,9 @@
 //! What answers a request, by the facts of the protocol: which id, and what of the request the answer repeats.
 
 use sbgc_proto::commands::{
-    AdjustableVariable, CalibInfoRequest, EepromReadRequest, ErrorReport, ExtMotors, ExtMotorsStateDataSet,
-    ExtMotorsStateRequest, GetAdjVarsVal, ImuType, MotorsOn,
+    AdjustableVariable, CalibInfoRequest, CanDrvTelemetryFlags, EepromReadRequest, ErrorReport, EventId,
+    EventTypes, ExtMotors, ExtMotorsStateDataSet, ExtMotorsStateRequest, GetAdjVarsVal, ImuIndex, ImuType,
+    MotorsOn, RealtimeDataCustomFlags, RealtimeDataCustomRequest, StreamSource,
 };
 use sbgc_proto::{CommandId, Expected, Message, RequestInfo};
 
@@ -185,7 +186,7 @@ fn what_a_request_does_is_declared() {
     }
     assert!(acts(CommandId::ExtImuCmd, &[2]) && acts(CommandId::ExtSensCmd, &[0, 2]));
     assert!(info(CommandId::FsClearAll, &[]).slow && !info(CommandId::MotorsOn, &[]).slow);
-    assert_eq!(RequestInfo::of_payload(CommandId::Unknown(7), &[]), None);
+    assert!(RequestInfo::of_payload(CommandId::Unknown(7), &[]).is_none());
     assert_eq!(<sbgc_proto::commands::Confirm as Message>::REQUEST.answer, None);
 }
 
@@ -201,4 +202,62 @@ fn errors_name_their_command_in_the_newer_form_only() {
         assert_eq!((report.command, report.code, report.data.as_bytes()), (command, code, data));
     }
     assert!(ErrorReport::from_payload(&[]).is_err());
+}
+
+#[test]
+fn selected_fields_determine_the_length_of_the_answer() {
+    use RealtimeDataCustomFlags as Flags;
+
+    let of = |flags| Expected::of(&RealtimeDataCustomRequest { flags, ..Default::default() });
+    let answer = CommandId::RealtimeDataCustom;
+    let (angles, targets) = (of(Flags::IMU_ANGLES), of(Flags::TARGET_ANGLES));
+    assert_eq!((angles.answer_len(), targets.answer_len()), (Some(8), Some(8)));
+    assert!(angles.fits(answer, &[0; 8]) && !angles.fits(answer, &[0; 7]) && angles.matches(answer, &[0; 7]));
+    assert!(!angles.fits(CommandId::RealtimeData4, &[0; 8]));
+    assert!(!angles.is_distinct_from(&targets));
+    let both = of(Flags::IMU_ANGLES | Flags::TARGET_ANGLES);
+    assert!(both.is_distinct_from(&angles) && both.overlaps(&angles));
+    // The bytes of the same request.
+    assert_eq!(Expected::of_payload(answer, &[3, 0, 0, 0, 0, 0, 0, 0, 0, 0]), Some(both));
+    assert_eq!(Expected::of_stream(StreamSource::RealtimeDataCustom(Flags::IMU_ANGLES)), angles);
+}
+
+/// Firmware leaves out what it does not know, but flags that are repeated tell what is there.
+#[test]
+fn repeated_flags_tell_more_than_a_length() {
+    use RealtimeDataCustomFlags as Flags;
+
+    let of = |flags| Expected::of_stream(StreamSource::RealtimeDataCustom(flags | Flags::INCLUDE_FLAGS));
+    let (angles, targets) = (of(Flags::IMU_ANGLES), of(Flags::TARGET_ANGLES));
+    assert!(angles.is_distinct_from(&targets));
+    let sample = [9, 9, 1, 0, 0, 0x80, 0, 0, 0, 0];
+    let answer = CommandId::RealtimeDataCustom;
+    assert_eq!(angles.answer_len(), Some(12));
+    assert!(angles.fits(answer, &sample) && !targets.fits(answer, &sample));
+}
+
+#[test]
+fn streams_have_the_samples_they_were_registered_for() {
+    let event = |event_id, event_type| Expected::of_stream(StreamSource::Event { event_id, event_type });
+    let (buttons, motors) =
+        (event(EventId::MenuButton, EventTypes::all()), event(EventId::MotorState, EventTypes::ON));
+    assert!(buttons.is_distinct_from(&motors));
+    assert!(buttons.fits(CommandId::Event, &[1, 4, 0, 0]) && !buttons.fits(CommandId::Event, &[2, 1, 0, 0]));
+    assert!(motors.fits(CommandId::Event, &[2, 2, 0, 0]) && !motors.fits(CommandId::Event, &[2, 1, 0, 0]));
+
+    let (main, frame) = (StreamSource::AhrsHelper(ImuIndex::Main), StreamSource::AhrsHelper(ImuIndex::Frame));
+    assert!(
+        !Expected::of_stream(main).is_distinct_from(&Expected::of_stream(frame)),
+        "nothing tells them apart"
+    );
+    let telemetry = StreamSource::CanDrvTelemetry { flags: CanDrvTelemetryFlags::TEMP_MOTOR, drv_id: 1 };
+    assert_eq!(Expected::of_stream(telemetry).answer_len(), Some(4));
+
+    // Which requests have the same answers as a stream.
+    assert_eq!(StreamSource::of_request(CommandId::AhrsHelper, &[2]), Some(frame));
+    assert_eq!(StreamSource::of_request(CommandId::AhrsHelper, &[0, 0]), Some(main));
+    assert_eq!(StreamSource::of_request(CommandId::BoardInfo, &[]), None);
+    let custom = StreamSource::RealtimeDataCustom(RealtimeDataCustomFlags::IMU_ANGLES);
+    let request = [1, 0, 0, 0, 0, 0, 0, 0, 0, 0];
+    assert_eq!(StreamSource::of_request(CommandId::RealtimeDataCustom, &request), Some(custom));
 }

@@ -5,30 +5,33 @@ use std::sync::LazyLock;
 
 use sbgc_proto::commands::{
     CanDrvTelemetry, CanDrvTelemetryFlags, DebugVarKind, DebugVars3, DebugVars3ExtendedRequest,
-    DebugVars3Masked, RealtimeDataCustom, RealtimeDataCustom2, RealtimeDataCustom2Flags,
-    RealtimeDataCustomFlags, StreamSource,
+    DebugVars3Masked, DebugVars3Request, RealtimeDataCustom, RealtimeDataCustom2, RealtimeDataCustom2Request,
+    RealtimeDataCustomFlags, RealtimeDataCustomRequest, StreamSource,
 };
 use sbgc_proto::reflect::{self, Visitor};
-use sbgc_proto::wire::FromWire;
-use sbgc_proto::{CommandId, DecodeError, Direction, IncomingCommand, Message, MessageInfo, OutgoingCommand};
+use sbgc_proto::{
+    CommandId, DecodeError, Direction, Expected, IncomingCommand, Message, MessageInfo, OutgoingCommand,
+    Request as _,
+};
 
-/// A message with all that is known of it.
+/// A message of either direction, read with its request where that is needed.
 #[derive(Clone, Debug)]
 #[allow(clippy::large_enum_variant, reason = "one is alive at a time")]
-pub enum Meaning<'a> {
+#[non_exhaustive]
+pub enum AnyMessage<'a> {
     /// From the host.
     Outgoing(OutgoingCommand<'a>),
     /// From the board.
     Incoming(IncomingCommand<'a>),
-    /// Real-time data of which a request told what it is.
+    /// Real-time data, with the fields that a request or a stream selected.
     RealtimeDataCustom(RealtimeDataCustom),
-    /// The second kind of real-time data of which a request told what it is.
+    /// The second kind of real-time data, with the fields that a request or a stream selected.
     RealtimeDataCustom2(RealtimeDataCustom2),
-    /// Telemetry of which the registration of the stream told what it is.
+    /// Telemetry of a motor driver, with the fields that its stream selected.
     CanDrvTelemetry(CanDrvTelemetry),
-    /// Values of debug variables whose kinds are known from their description.
+    /// Values of all debug variables, whose kinds are known from their description.
     DebugVars3(DebugVars3<'a>, Vec<DebugVarKind>),
-    /// Values of the debug variables that a request chose, of these kinds.
+    /// Values of the debug variables that a request selected, of these kinds.
     DebugVars3Masked(DebugVars3Masked<'a>, Vec<DebugVarKind>),
 }
 
@@ -36,7 +39,7 @@ pub enum Meaning<'a> {
 #[derive(Clone, Debug)]
 pub struct Interpreted<'a> {
     /// The message.
-    pub meaning: Meaning<'a>,
+    pub message: AnyMessage<'a>,
     /// What follows the part that is known.
     pub rest: &'a [u8],
 }
@@ -44,49 +47,50 @@ pub struct Interpreted<'a> {
 impl Interpreted<'_> {
     /// Which way it went.
     pub fn direction(&self) -> Direction {
-        match self.meaning {
-            Meaning::Outgoing(_) => Direction::Outgoing,
+        match self.message {
+            AnyMessage::Outgoing(_) => Direction::Outgoing,
             _ => Direction::Incoming,
         }
     }
 
     /// The spec's name of the command, `None` for one that the protocol does not have.
     pub fn name(&self) -> Option<&'static str> {
-        match &self.meaning {
-            Meaning::Outgoing(message) => message.spec_name(),
-            Meaning::Incoming(message) => message.spec_name(),
-            Meaning::RealtimeDataCustom(_) => Some(RealtimeDataCustom::SPEC),
-            Meaning::RealtimeDataCustom2(_) => Some(RealtimeDataCustom2::SPEC),
-            Meaning::CanDrvTelemetry(_) => Some(CanDrvTelemetry::SPEC),
-            Meaning::DebugVars3(..) | Meaning::DebugVars3Masked(..) => Some(DebugVars3::SPEC),
+        match &self.message {
+            AnyMessage::Outgoing(message) => message.spec_name(),
+            AnyMessage::Incoming(message) => message.spec_name(),
+            AnyMessage::RealtimeDataCustom(_) => Some(RealtimeDataCustom::SPEC),
+            AnyMessage::RealtimeDataCustom2(_) => Some(RealtimeDataCustom2::SPEC),
+            AnyMessage::CanDrvTelemetry(_) => Some(CanDrvTelemetry::SPEC),
+            AnyMessage::DebugVars3(..) | AnyMessage::DebugVars3Masked(..) => Some(DebugVars3::SPEC),
         }
     }
 
     /// The name of the form.
     pub fn form(&self) -> &'static str {
-        match &self.meaning {
-            Meaning::Outgoing(message) => message.form(),
-            Meaning::Incoming(message) => message.form(),
-            Meaning::RealtimeDataCustom(_) => RealtimeDataCustom::FORM,
-            Meaning::RealtimeDataCustom2(_) => RealtimeDataCustom2::FORM,
-            Meaning::CanDrvTelemetry(_) => CanDrvTelemetry::FORM,
-            Meaning::DebugVars3(..) => DebugVars3::FORM,
-            Meaning::DebugVars3Masked(..) => DebugVars3Masked::FORM,
+        match &self.message {
+            AnyMessage::Outgoing(message) => message.form(),
+            AnyMessage::Incoming(message) => message.form(),
+            AnyMessage::RealtimeDataCustom(_) => RealtimeDataCustom::FORM,
+            AnyMessage::RealtimeDataCustom2(_) => RealtimeDataCustom2::FORM,
+            AnyMessage::CanDrvTelemetry(_) => CanDrvTelemetry::FORM,
+            AnyMessage::DebugVars3(..) => DebugVars3::FORM,
+            AnyMessage::DebugVars3Masked(..) => DebugVars3Masked::FORM,
         }
     }
 
     /// Visits the fields of the known part in wire order.
     pub fn walk(&self, visitor: &mut dyn Visitor) {
-        match &self.meaning {
-            Meaning::Outgoing(message) => drop(message.walk(visitor)),
-            Meaning::Incoming(message) => drop(message.walk(visitor)),
-            Meaning::RealtimeDataCustom(message) => drop(reflect::walk(message, visitor)),
-            Meaning::RealtimeDataCustom2(message) => drop(reflect::walk(message, visitor)),
-            Meaning::CanDrvTelemetry(message) => drop(reflect::walk(message, visitor)),
+        match &self.message {
+            AnyMessage::Outgoing(message) => drop(message.walk(visitor)),
+            AnyMessage::Incoming(message) => drop(message.walk(visitor)),
+            AnyMessage::RealtimeDataCustom(message) => drop(reflect::walk(message, visitor)),
+            AnyMessage::RealtimeDataCustom2(message) => drop(reflect::walk(message, visitor)),
+            AnyMessage::CanDrvTelemetry(message) => drop(reflect::walk(message, visitor)),
             // That the kinds fit was seen when it was read.
-            Meaning::DebugVars3(message, kinds) => drop(message.walk_values(kinds.iter().copied(), visitor)),
-            Meaning::DebugVars3Masked(message, kinds) => {
-                // That the kinds fit was seen when it was read.
+            AnyMessage::DebugVars3(message, kinds) => {
+                let _ = message.walk_values(kinds.iter().copied(), visitor);
+            }
+            AnyMessage::DebugVars3Masked(message, kinds) => {
                 let _ = message.walk_values(kinds.iter().copied(), visitor);
             }
         }
@@ -96,21 +100,32 @@ impl Interpreted<'_> {
 /// Gives frames their meaning, and remembers the requests that later answers need.
 #[derive(Clone, Debug, Default)]
 pub struct Interpreter {
-    fallback: Option<RealtimeDataCustomFlags>,
-    custom: Requests<RealtimeDataCustomFlags>,
-    custom2: Requests<RealtimeDataCustom2Flags>,
-    telemetry: Requests<CanDrvTelemetryFlags>,
+    fallback: Option<RealtimeDataCustomRequest>,
+    /// Newest first.
+    asked: VecDeque<(Expected, Asked)>,
     variables: Vec<DebugVarKind>,
-    /// The choice of debug variables that was asked for last; `None` for all of them.
-    chosen: Option<DebugVars3ExtendedRequest>,
     /// The variable with which the description that was asked for last begins.
     described_from: usize,
 }
 
+/// A request, or a stream, whose answers cannot be read without it.
+#[derive(Clone, Debug, PartialEq)]
+enum Asked {
+    RealtimeDataCustom(RealtimeDataCustomRequest),
+    RealtimeDataCustom2(RealtimeDataCustom2Request),
+    CanDrvTelemetry(CanDrvTelemetryFlags),
+    DebugVars3(DebugVars3Request),
+    DebugVars3Masked(DebugVars3ExtendedRequest),
+}
+
+/// More different requests than a board has data streams are not alive at once.
+const MEMORY: usize = 16;
+
 impl Interpreter {
     /// Takes `custom_flags` for real-time data of which no request was seen.
     pub fn new(custom_flags: Option<u32>) -> Self {
-        let fallback = custom_flags.map(RealtimeDataCustomFlags::from_bits_retain);
+        let flags = custom_flags.map(RealtimeDataCustomFlags::from_bits_retain);
+        let fallback = flags.map(|flags| RealtimeDataCustomRequest { flags, ..Default::default() });
         Interpreter { fallback, ..Self::default() }
     }
 
@@ -122,7 +137,7 @@ impl Interpreter {
     /// Reads a payload. Without a direction, the one that its id and length fit is taken; where both fit, outgoing.
     ///
     /// # Errors
-    /// When the payload is not one of the command's.
+    /// If the payload is not one of the command's.
     pub fn interpret<'a>(
         &mut self,
         direction: Option<Direction>,
@@ -130,92 +145,129 @@ impl Interpreter {
         payload: &'a [u8],
     ) -> Result<Interpreted<'a>, DecodeError> {
         let id = CommandId::from_raw(id);
-        match direction.unwrap_or_else(|| likely_direction(id, payload.len())) {
+        let (message, rest) = match direction.unwrap_or_else(|| likely_direction(id, payload.len())) {
             Direction::Outgoing => {
                 let (message, rest) = OutgoingCommand::decode(id, payload)?;
                 self.remember(&message);
-                Ok(Interpreted { meaning: Meaning::Outgoing(message), rest })
+                (AnyMessage::Outgoing(message), rest)
             }
-            Direction::Incoming => {
-                let (message, rest) = IncomingCommand::decode(id, payload)?;
-                if let IncomingCommand::DebugVarsInfo3(info) = &message {
-                    self.variables.truncate(self.described_from);
-                    self.variables.extend(info.vars.iter().map(|variable| variable.var_type));
+            Direction::Incoming => match self.answer(id, payload)? {
+                Some(answer) => answer,
+                None => {
+                    let (message, rest) = IncomingCommand::decode(id, payload)?;
+                    if let IncomingCommand::DebugVarsInfo3(info) = &message {
+                        self.variables.truncate(self.described_from);
+                        self.variables.extend(info.vars.iter().map(|variable| variable.var_type));
+                    }
+                    (AnyMessage::Incoming(message), rest)
                 }
-                match self.explain(&message, payload)? {
-                    Some((meaning, rest)) => Ok(Interpreted { meaning, rest }),
-                    None => Ok(Interpreted { meaning: Meaning::Incoming(message), rest }),
-                }
-            }
-        }
+            },
+        };
+        Ok(Interpreted { message, rest })
     }
 
     fn remember(&mut self, message: &OutgoingCommand<'_>) {
-        match message {
-            OutgoingCommand::RealtimeDataCustomRequest(request) => self.custom.add(request.flags),
-            OutgoingCommand::RealtimeDataCustom2Request(request) => self.custom2.add(request.flags),
-            OutgoingCommand::DebugVars3Request(_) => self.chosen = None,
-            OutgoingCommand::DebugVars3ExtendedRequest(request) => self.chosen = Some(request.clone()),
-            OutgoingCommand::DebugVarsInfo3Request(_) => self.described_from = 0,
+        let (expected, asked) = match message {
+            OutgoingCommand::RealtimeDataCustomRequest(request) => {
+                (Expected::of(request), Asked::RealtimeDataCustom(*request))
+            }
+            OutgoingCommand::RealtimeDataCustom2Request(request) => {
+                (Expected::of(request), Asked::RealtimeDataCustom2(*request))
+            }
+            OutgoingCommand::DebugVars3Request(request) => {
+                (Expected::of(request), Asked::DebugVars3(*request))
+            }
+            OutgoingCommand::DebugVars3ExtendedRequest(request) => {
+                (Expected::of(request), Asked::DebugVars3Masked(request.clone()))
+            }
+            OutgoingCommand::DebugVarsInfo3Request(_) => {
+                self.described_from = 0;
+                return;
+            }
             OutgoingCommand::DebugVarsInfo3ExtendedRequest(request) => {
                 self.described_from = request.start_idx.into();
+                return;
             }
-            OutgoingCommand::DataStreamInterval(stream) => match stream.source() {
-                Some(StreamSource::RealtimeDataCustom(flags)) => self.custom.add(flags),
-                Some(StreamSource::RealtimeDataCustom2(flags)) => self.custom2.add(flags),
-                Some(StreamSource::CanDrvTelemetry { flags, .. }) => self.telemetry.add(flags),
-                _ => {}
-            },
-            _ => {}
-        }
-    }
-
-    /// The values of the variables that were chosen, where `message` begins with the choice.
-    fn chosen_variables<'a>(&self, message: &DebugVars3<'a>) -> Option<Meaning<'a>> {
-        let request = self.chosen.as_ref()?;
-        let masked = message.masked(request.selected_mask.len()).ok()?;
-        if masked.selected_mask != request.selected_mask {
-            return None;
-        }
-        let kinds = request.variables().map(|variable| self.variables.get(variable).copied());
-        let kinds: Vec<_> = kinds.collect::<Option<_>>()?;
-        let is_whole = is_whole(&DebugVars3 { var_value: masked.var_value }, &kinds);
-        is_whole.then_some(Meaning::DebugVars3Masked(masked, kinds))
-    }
-
-    /// The message as its request tells to read it, where one was seen.
-    fn explain<'a>(
-        &self,
-        message: &IncomingCommand<'a>,
-        payload: &'a [u8],
-    ) -> Result<Option<(Meaning<'a>, &'a [u8])>, DecodeError> {
-        Ok(match message {
-            IncomingCommand::RealtimeDataCustomView(_) => match self.custom.decode(payload) {
-                Some((data, rest)) => Some((Meaning::RealtimeDataCustom(data), rest)),
-                None => match self.fallback.or(self.custom.newest()) {
-                    Some(flags) => {
-                        let (data, rest) = RealtimeDataCustom::decode_with(payload, flags)?;
-                        Some((Meaning::RealtimeDataCustom(data), rest))
+            OutgoingCommand::DataStreamInterval(stream) => {
+                let Some(source) = stream.source() else { return };
+                let asked = match source {
+                    StreamSource::RealtimeDataCustom(flags) => {
+                        Asked::RealtimeDataCustom(RealtimeDataCustomRequest { flags, ..Default::default() })
                     }
-                    None => None,
-                },
-            },
-            IncomingCommand::RealtimeDataCustom2View(_) => {
-                self.custom2.decode(payload).map(|(data, rest)| (Meaning::RealtimeDataCustom2(data), rest))
+                    StreamSource::RealtimeDataCustom2(flags) => {
+                        Asked::RealtimeDataCustom2(RealtimeDataCustom2Request { flags, ..Default::default() })
+                    }
+                    StreamSource::CanDrvTelemetry { flags, .. } => Asked::CanDrvTelemetry(flags),
+                    _ => return,
+                };
+                (Expected::of_stream(source), asked)
             }
-            IncomingCommand::CanDrvTelemetryView(_) => {
-                self.telemetry.decode(payload).map(|(data, rest)| (Meaning::CanDrvTelemetry(data), rest))
+            _ => return,
+        };
+        self.asked.retain(|(_, known)| *known != asked);
+        self.asked.push_front((expected, asked));
+        self.asked.truncate(MEMORY);
+    }
+
+    /// The payload as the request tells to read it, where one was seen: the newest whose answer has this length, else
+    /// the newest whose answer it may be.
+    fn answer<'a>(
+        &self,
+        id: CommandId,
+        payload: &'a [u8],
+    ) -> Result<Option<(AnyMessage<'a>, &'a [u8])>, DecodeError> {
+        if let Some((_, asked)) = self.asked.iter().find(|(expected, _)| expected.fits(id, payload)) {
+            return self.read(asked, payload);
+        }
+        if let Some(request) = self.fallback.filter(|_| id == CommandId::RealtimeDataCustom) {
+            return self.read(&Asked::RealtimeDataCustom(request), payload);
+        }
+        match self.asked.iter().find(|(expected, _)| expected.matches(id, payload)) {
+            Some((_, asked)) => self.read(asked, payload),
+            None if id == CommandId::DebugVars3 => self.read(&Asked::DebugVars3(DebugVars3Request), payload),
+            None => Ok(None),
+        }
+    }
+
+    /// The answer to this request; `None` if the kinds of debug variables are not known.
+    fn read<'a>(
+        &self,
+        asked: &Asked,
+        payload: &'a [u8],
+    ) -> Result<Option<(AnyMessage<'a>, &'a [u8])>, DecodeError> {
+        let (message, rest) = match asked {
+            Asked::RealtimeDataCustom(request) => {
+                let (data, rest) = request.decode_answer_prefix(payload)?;
+                (AnyMessage::RealtimeDataCustom(data), rest)
             }
-            IncomingCommand::DebugVars3(values) if !self.variables.is_empty() => {
-                let masked = self.chosen_variables(values);
-                let meaning = masked.or_else(|| {
-                    let kinds = self.variables.clone();
-                    is_whole(values, &kinds).then_some(Meaning::DebugVars3(*values, kinds))
-                });
-                meaning.map(|meaning| (meaning, &[][..]))
+            Asked::RealtimeDataCustom2(request) => {
+                let (data, rest) = request.decode_answer_prefix(payload)?;
+                (AnyMessage::RealtimeDataCustom2(data), rest)
             }
-            _ => None,
-        })
+            Asked::CanDrvTelemetry(flags) => {
+                let (data, rest) = CanDrvTelemetry::decode_with(payload, *flags)?;
+                (AnyMessage::CanDrvTelemetry(data), rest)
+            }
+            Asked::DebugVars3(request) => {
+                let (values, rest) = request.decode_answer_prefix(payload)?;
+                let kinds = self.variables.clone();
+                if kinds.is_empty() || !is_whole(&values, &kinds) {
+                    return Ok(None);
+                }
+                (AnyMessage::DebugVars3(values, kinds), rest)
+            }
+            Asked::DebugVars3Masked(request) => {
+                let (answer, rest) = request.decode_answer_prefix(payload)?;
+                let kinds = request.variables().map(|variable| self.variables.get(variable).copied());
+                match kinds.collect::<Option<Vec<_>>>() {
+                    Some(kinds) if is_whole(&DebugVars3 { var_value: answer.var_value }, &kinds) => {
+                        (AnyMessage::DebugVars3Masked(answer, kinds), rest)
+                    }
+                    _ => return Ok(None),
+                }
+            }
+        };
+        Ok(Some((message, rest)))
     }
 }
 
@@ -223,37 +275,6 @@ impl Interpreter {
 fn is_whole(values: &DebugVars3<'_>, kinds: &[DebugVarKind]) -> bool {
     let mut read = values.values(kinds.iter().copied());
     read.by_ref().all(|value| value.is_ok()) && read.rest().is_empty()
-}
-
-/// What was asked for, newest first.
-#[derive(Clone, Debug)]
-struct Requests<F>(VecDeque<F>);
-
-/// More different requests than a board has data streams are not alive at once.
-const MEMORY: usize = 16;
-
-impl<F: Copy + PartialEq> Requests<F> {
-    fn add(&mut self, flags: F) {
-        self.0.retain(|known| *known != flags);
-        self.0.push_front(flags);
-        self.0.truncate(MEMORY);
-    }
-
-    fn newest(&self) -> Option<F> {
-        self.0.front().copied()
-    }
-
-    /// The payload as the newest request wants it whose answer is as long.
-    fn decode<'a, M: Message + FromWire<'a, F>>(&self, payload: &'a [u8]) -> Option<(M, &'a [u8])> {
-        let readings = self.0.iter().filter_map(|flags| M::decode_with(payload, *flags).ok());
-        readings.into_iter().find(|(_, rest)| rest.is_empty())
-    }
-}
-
-impl<F> Default for Requests<F> {
-    fn default() -> Self {
-        Requests(VecDeque::new())
-    }
 }
 
 /// The direction whose narrowest form the length fits.

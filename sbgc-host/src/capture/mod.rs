@@ -16,7 +16,7 @@ mod time;
 
 pub use hex::HexError;
 use interpret::likely_direction;
-pub use interpret::{Interpreted, Interpreter, Meaning};
+pub use interpret::{AnyMessage, Interpreted, Interpreter};
 pub use reader::{Format, Item, ReadError, Reader};
 pub use record::{Frames, Passed, Recorder, Tap, tap};
 pub use replay::{Replay, Step};

@@ -57,7 +57,7 @@ pub struct StreamCall {
 impl StreamCall {
     /// Whether samples come at each interval, so that their absence tells something.
     fn is_periodic(&self) -> bool {
-        self.shape.command != CommandId::Event.raw()
+        self.shape.is_periodic()
     }
 
     /// How long samples may fail to come.

@@ -1,13 +1,10 @@
 //! Which stream a sample belongs to.
 //!
-//! A sample does not say which registration sent it. What tells those of one command apart is their length, the flags
-//! that newer firmware puts in front on request, or the event. Where nothing does, two of them must not run together.
+//! A sample does not say which registration sent it. What tells those of one command apart is declared with the
+//! protocol, see [`Expected::of_stream`]. Where nothing does, two of them must not run together.
 
-use sbgc_proto::commands::{
-    EventTypes, RealtimeDataCustom2Flags, RealtimeDataCustom2Request, RealtimeDataCustomFlags,
-    RealtimeDataCustomRequest,
-};
-use sbgc_proto::{CommandId, Message};
+use sbgc_proto::commands::{StreamConfig, StreamSource};
+use sbgc_proto::{CommandId, Expected};
 
 /// What the samples of a stream, or the answers to a request for the same data, look like.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -16,83 +13,63 @@ pub struct Shape {
     pub command: u8,
     /// Configuration of the stream.
     pub config: [u8; 8],
-    /// How many payload bytes a sample has, where that is known.
-    pub length: Option<usize>,
+    expected: Expected,
+    is_periodic: bool,
 }
 
 impl Shape {
+    /// The shape of a stream of this command with this configuration.
+    pub fn new(command: CommandId, config: [u8; 8]) -> Self {
+        let source = StreamSource::from_config(command, StreamConfig(config.into()));
+        Self {
+            command: command.raw(),
+            config,
+            expected: source.map_or(Expected::any(command), Expected::of_stream),
+            is_periodic: source.is_none_or(StreamSource::is_periodic),
+        }
+    }
+
     /// The shape of the answer to a request for what can also be streamed.
     pub(super) fn of_request(command: u8, payload: &[u8]) -> Option<Self> {
-        let with_flags = |flags: u32, length| {
-            let mut config = [0; 8];
-            config.iter_mut().zip(flags.to_le_bytes()).for_each(|(place, byte)| *place = byte);
-            Some(Self { command, config, length: Some(length) })
-        };
-        match CommandId::from_raw(command) {
-            CommandId::RealtimeDataCustom => {
-                let flags = RealtimeDataCustomRequest::decode(payload).ok()?.flags;
-                with_flags(flags.bits(), flags.payload_len())
-            }
-            CommandId::RealtimeDataCustom2 => {
-                let flags = RealtimeDataCustom2Request::decode(payload).ok()?.flags;
-                with_flags(flags.bits(), flags.payload_len())
-            }
-            CommandId::AhrsHelper => {
-                // Which sensor is in bit 1 of the mode.
-                let mut config = [0; 8];
-                config[0] = (payload.first()? >> 1) & 1;
-                Some(Self { command, config, length: None })
-            }
-            _ => None,
-        }
+        let source = StreamSource::of_request(CommandId::from_raw(command), payload)?;
+        Some(Self::new(source.cmd_id(), source.config().0.0))
+    }
+
+    /// How many payload bytes a sample has, where that is known.
+    pub fn length(&self) -> Option<usize> {
+        self.expected.answer_len()
+    }
+
+    /// Whether samples come at each interval; events come when something happens.
+    pub(super) const fn is_periodic(&self) -> bool {
+        self.is_periodic
     }
 
     /// Whether a sample of this command may belong to the stream.
     pub(super) fn fits(&self, payload: &[u8]) -> bool {
-        if let Some(flags) = self.included_flags() {
-            return payload.get(2..6) == Some(&flags.to_le_bytes());
-        }
-        self.admits(payload) && self.length.is_none_or(|length| length == payload.len())
+        self.expected.fits(CommandId::from_raw(self.command), payload)
     }
 
-    /// Whether a sample of this command is the stream's if there is no other, whatever its length: firmware leaves out
-    /// what it does not know, and whoever reads the sample must learn that.
+    /// Whether a sample of this command is the stream's if there is no other, whatever it consists of: firmware leaves
+    /// out what it does not know, and whoever reads the sample must learn that.
     pub(super) fn admits(&self, payload: &[u8]) -> bool {
-        let [kind, types, ..] = self.config;
-        let held = |payload: &[u8]| {
-            let wanted = EventTypes::from_bits_retain(types);
-            payload.first() == Some(&kind)
-                && payload.get(1).is_some_and(|&is| wanted.intersects(EventTypes::from_bits_retain(is)))
-        };
-        self.command != CommandId::Event.raw() || held(payload)
+        self.is_periodic || self.fits(payload)
     }
 
     /// Whether samples of both can be told apart, or each may go to both.
     pub(super) fn is_distinct_from(&self, other: &Self) -> bool {
-        if self.command != other.command || self.config == other.config {
-            return true;
-        }
-        let by_flags = self.included_flags().is_some() && other.included_flags().is_some();
-        let by_length = self.length.is_some() && other.length.is_some() && self.length != other.length;
-        by_flags || by_length || self.command == CommandId::Event.raw()
-    }
-
-    /// The flags that stand in each sample, if they do.
-    fn included_flags(&self) -> Option<u32> {
-        let flags = u32::from_le_bytes(*self.config.first_chunk()?);
-        let included = match CommandId::from_raw(self.command) {
-            CommandId::RealtimeDataCustom => RealtimeDataCustomFlags::from_bits_retain(flags)
-                .contains(RealtimeDataCustomFlags::INCLUDE_FLAGS),
-            CommandId::RealtimeDataCustom2 => RealtimeDataCustom2Flags::from_bits_retain(flags)
-                .contains(RealtimeDataCustom2Flags::INCLUDE_FLAGS),
-            _ => false,
-        };
-        included.then_some(flags)
+        self.command != other.command
+            || self.config == other.config
+            || !self.is_periodic
+            || self.expected.is_distinct_from(&other.expected)
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use sbgc_proto::Message;
+    use sbgc_proto::commands::{RealtimeDataCustomFlags, RealtimeDataCustomRequest};
+
     use super::*;
 
     fn custom(flags: RealtimeDataCustomFlags) -> Shape {
@@ -105,10 +82,11 @@ mod tests {
         use RealtimeDataCustomFlags as Flags;
 
         let (angles, targets) = (custom(Flags::IMU_ANGLES), custom(Flags::TARGET_ANGLES));
-        assert_eq!((angles.length, targets.length), (Some(8), Some(8)));
+        assert_eq!((angles.length(), targets.length()), (Some(8), Some(8)));
         assert!(!angles.is_distinct_from(&targets));
         let both = custom(Flags::IMU_ANGLES | Flags::TARGET_ANGLES);
         assert!(angles.is_distinct_from(&both) && angles.fits(&[0; 8]) && !both.fits(&[0; 8]));
+        assert!(both.admits(&[0; 8]), "old firmware leaves out what it does not know");
 
         let angles = custom(Flags::IMU_ANGLES | Flags::INCLUDE_FLAGS);
         let targets = custom(Flags::TARGET_ANGLES | Flags::INCLUDE_FLAGS);
@@ -119,16 +97,17 @@ mod tests {
 
     #[test]
     fn events_are_told_apart_by_what_they_are() {
-        let event =
-            |kind, types| Shape { command: 102, config: [kind, types, 0, 0, 0, 0, 0, 0], length: None };
+        let event = |kind, types| Shape::new(CommandId::Event, [kind, types, 0, 0, 0, 0, 0, 0]);
         let (buttons, motors) = (event(1, 7), event(2, 3));
-        assert!(buttons.is_distinct_from(&motors));
+        assert!(buttons.is_distinct_from(&motors) && !buttons.is_periodic());
         assert!(buttons.fits(&[1, 4, 0, 0]) && !buttons.fits(&[2, 1, 0, 0]) && !motors.fits(&[2, 4, 0, 0]));
+        assert!(!buttons.admits(&[2, 1, 0, 0]));
+        assert!(buttons.is_distinct_from(&event(1, 1)), "an event may go to both");
     }
 
     #[test]
     fn sensors_of_an_attitude_cannot_be_told_apart() {
-        let stream = |imu| Shape { command: 56, config: [imu, 0, 0, 0, 0, 0, 0, 0], length: None };
+        let stream = |imu| Shape::new(CommandId::AhrsHelper, [imu, 0, 0, 0, 0, 0, 0, 0]);
         assert!(!stream(0).is_distinct_from(&stream(1)));
         assert_eq!(Shape::of_request(56, &[2]), Some(stream(1)));
     }

@@ -10,7 +10,7 @@ use sbgc_proto::commands::{
 use sbgc_proto::wire::{Float, List};
 use sbgc_proto::{EncodeError, Message};
 
-use super::block::{has, is_in};
+use super::block::has;
 use super::board::Parameters;
 use super::catalog::{NameError, nearest};
 use super::error::{ParamsError, Result};
@@ -162,7 +162,7 @@ impl Parameters {
             return Ok(listed);
         }
         let firmware = self.info().firmware_ver;
-        let known = AdjustableVariable::ALL.iter().filter(|facts| is_in(facts.since, firmware));
+        let known = AdjustableVariable::ALL.iter().filter(|facts| has(firmware, facts.since));
         let ids: Vec<_> = known.map(|facts| facts.variable).collect();
         let mut variables = Vec::new();
         for ids in ids.chunks(AT_ONCE) {

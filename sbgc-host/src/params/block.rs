@@ -113,11 +113,6 @@ pub(super) fn has(firmware: FirmwareVersion, since: Option<FirmwareVersion>) -> 
     since.is_none_or(|since| firmware >= since)
 }
 
-/// Whether `firmware` has a field that began with the version `since`, which is empty where that is unknown.
-pub(super) fn is_in(since: &str, firmware: FirmwareVersion) -> bool {
-    since.parse().map_or(true, |since: FirmwareVersion| firmware >= since)
-}
-
 /// One of the five profiles.
 ///
 /// ```

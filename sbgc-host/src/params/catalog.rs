@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use sbgc_proto::units::FirmwareVersion;
 
-use super::block::{Block, is_in};
+use super::block::{Block, has};
 use super::parameter::{Parameter, parameters_of};
 
 /// How similar a name has to be to be offered in the place of a misspelled one, 0 to 1.
@@ -109,7 +109,7 @@ impl Catalog {
     fn of(blocks: &[Block], firmware: FirmwareVersion) -> Self {
         let blocks = blocks.iter().filter(|block| block.is_in(firmware));
         let mut parameters: Vec<_> = blocks.flat_map(|block| parameters_of(*block)).collect();
-        parameters.retain(|parameter| is_in(parameter.field.since, firmware));
+        parameters.retain(|parameter| has(firmware, parameter.field.since));
         let newest: BTreeMap<_, _> =
             parameters.iter().map(|parameter| (parameter.path.clone(), parameter.block)).collect();
         parameters.retain(|parameter| newest.get(&parameter.path) == Some(&parameter.block));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use sbgc_proto::units::{BoardVersion, FirmwareVersion};
 
-use super::block::{Block, Place, Profile, is_in};
+use super::block::{Block, Place, Profile, has};
 use super::catalog::Catalog;
 use super::parameter::{Parameter, Value, hex, parameters_of};
 
@@ -91,7 +91,7 @@ impl Blocks {
 fn unnamed(block: Block, length: usize, firmware: FirmwareVersion) -> Vec<usize> {
     let mut covered = vec![false; length];
     for parameter in parameters_of(block) {
-        if is_in(parameter.field.since, firmware) || parameter.is_state() {
+        if has(firmware, parameter.field.since) || parameter.is_state() {
             for place in covered.iter_mut().skip(parameter.offset).take(parameter.size) {
                 *place = true;
             }
@@ -202,7 +202,7 @@ pub(super) fn differences(
     };
     let mut differences: Vec<_> = parameters_of(place.block)
         .into_iter()
-        .filter(|parameter| is_in(parameter.field.since, firmware) && !parameter.is_state())
+        .filter(|parameter| has(firmware, parameter.field.since) && !parameter.is_state())
         .filter_map(|parameter| {
             let (a, b) = (parameter.of(before)?.to_vec(), parameter.of(after)?.to_vec());
             let path = parameter.path.clone();

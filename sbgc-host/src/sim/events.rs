@@ -1,6 +1,6 @@
 //! What happens on the board that hosts can have reported, each once.
 
-use sbgc_proto::commands::{Event, EventId, EventTypes};
+use sbgc_proto::commands::{BoardEvent, EventId, EventTypes};
 
 /// An event.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,8 +15,8 @@ impl Happened {
         Self { id, what, param }
     }
 
-    pub(super) fn message(self) -> Event<'static> {
-        Event { event_id: self.id, event_type: self.what, param1: self.param, extra: &[] }
+    pub(super) fn message(self) -> BoardEvent<'static> {
+        BoardEvent { event_id: self.id, event_type: self.what, param1: self.param, extra: &[] }
     }
 
     /// Whether somebody who asked for this event and these types gets it.

@@ -196,7 +196,7 @@ impl Machine {
 
     /// Whether a variable is one that the firmware knows.
     pub(super) fn knows_variable(&self, variable: AdjustableVariable) -> bool {
-        variable.facts().is_some_and(|facts| self.config.has(facts.since))
+        variable.facts().is_some_and(|facts| self.config.knows(facts.since))
     }
 
     /// Turns the motors on or off, which hosts can have reported.

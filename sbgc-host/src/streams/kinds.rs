@@ -5,7 +5,7 @@ use std::task::Poll;
 use std::time::Duration;
 
 use sbgc_proto::commands::{
-    AhrsHelper, Event, EventId, EventTypes, ImuIndex, RealtimeDataCustom, RealtimeDataCustomFlags,
+    AhrsHelper, BoardEvent, EventId, EventTypes, ImuIndex, RealtimeDataCustom, RealtimeDataCustomFlags,
     StreamSource,
 };
 use sbgc_proto::wire::FromWire;
@@ -117,8 +117,8 @@ impl EventStream {
             });
             match sample.await? {
                 Sample::Payload(payload) => {
-                    if let Ok(event) = Event::decode(&payload) {
-                        let Event { event_id: kind, event_type: phase, param1: param, .. } = event;
+                    if let Ok(event) = BoardEvent::decode(&payload) {
+                        let BoardEvent { event_id: kind, event_type: phase, param1: param, .. } = event;
                         return Some(Happening::Event { kind, phase, param });
                     }
                     tracing::debug!("{} with an unknown layout", CommandId::Event.raw());

@@ -55,8 +55,6 @@ pub struct StreamRequest {
     pub synced: bool,
     /// What is to be sent, as the message has it: selection flags, the IMU, the event.
     pub config: [u8; 8],
-    /// How many payload bytes a sample has, where samples of several configurations can be told apart by that only.
-    pub length: Option<usize>,
     /// How many samples wait for a slow subscriber before the oldest is lost.
     pub capacity: usize,
 }
@@ -68,23 +66,17 @@ impl StreamRequest {
     pub const fn new(command: CommandId, interval_ms: u16) -> Self {
         let interval = if interval_ms == 0 { 1 } else { interval_ms as usize };
         let capacity = MIN_CAPACITY + FASTEST / interval;
-        Self { command, interval_ms, synced: false, config: [0; 8], length: None, capacity }
+        Self { command, interval_ms, synced: false, config: [0; 8], capacity }
     }
 
-    /// What `source` describes, with its configuration and length.
+    /// What `source` describes, with its configuration.
     pub fn of(source: StreamSource, interval_ms: u16) -> Self {
-        let length = match source {
-            StreamSource::RealtimeDataCustom(flags) => Some(flags.payload_len()),
-            StreamSource::RealtimeDataCustom2(flags) => Some(flags.payload_len()),
-            StreamSource::CanDrvTelemetry { flags, .. } => Some(flags.payload_len()),
-            _ => None,
-        };
-        Self { config: source.config().0.0, length, ..Self::new(source.cmd_id(), interval_ms) }
+        Self { config: source.config().0.0, ..Self::new(source.cmd_id(), interval_ms) }
     }
 
     fn call(&self) -> StreamCall {
         StreamCall {
-            shape: Shape { command: self.command.raw(), config: self.config, length: self.length },
+            shape: Shape::new(self.command, self.config),
             interval_ms: self.interval_ms.max(1),
             synced: self.synced,
             capacity: self.capacity,
@@ -146,9 +138,10 @@ impl Gimbal {
     /// another interval is refused, for it would change that of the others.
     pub async fn subscribe(&self, request: StreamRequest) -> Result<Subscription> {
         let (reply, outcome) = oneshot::channel();
-        let (number, queue) = self.link().call(|machine, _| machine.subscribe(request.call(), reply));
+        let call = request.call();
+        let (number, queue) = self.link().call(|machine, _| machine.subscribe(call, reply));
         // From here on, whoever gives up unsubscribes.
-        let subscription = Subscription { queue, number, length: request.length, gimbal: self.clone() };
+        let subscription = Subscription { queue, number, length: call.shape.length(), gimbal: self.clone() };
         match outcome.await.map_err(|_| self.gone())? {
             Ok(_) => Ok(subscription),
             Err(failure) => Err(explain(request.command, failure)),

@@ -453,7 +453,7 @@ impl World {
     fn subscribe(&mut self) -> Task {
         let command = if self.dice.percent(50) { REALTIME_4 } else { REALTIME_3 };
         let interval_ms = if command == REALTIME_4 { 200 } else { 1000 };
-        let shape = Shape { command, config: [0; 8], length: None };
+        let shape = Shape::new(command.into(), [0; 8]);
         let (asked, gone) = (self.asked.len(), Rc::new(Cell::new(false)));
         let deadline = self.now + Duration::from_hours(1);
         let payload = Vec::new();

@@ -2,6 +2,7 @@
 //! whatever is not understood.
 
 use proc_macro2::{Ident, Span, TokenStream};
+use quote::ToTokens;
 use syn::parse::{Parse, ParseStream};
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Error, Expr, LitInt, LitStr, Pat, RangeLimits, Result, Token, Type, parenthesized};
@@ -29,7 +30,7 @@ impl Parse for Size {
     }
 }
 
-/// A version of the firmware, as text and as the number that the board reports.
+/// A firmware version, as text and as the number that the board reports.
 pub(crate) struct Since {
     pub(crate) text: String,
     pub(crate) raw: u16,
@@ -43,6 +44,13 @@ impl Parse for Since {
             Error::new(text.span(), "expected a version such as \"2.68\", \"2.68b7\" or \"2.73.4\"")
         })?;
         Ok(Since { text: value, raw })
+    }
+}
+
+impl ToTokens for Since {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        let raw = self.raw;
+        tokens.extend(quote::quote!(crate::units::FirmwareVersion(#raw)));
     }
 }
 
@@ -133,6 +141,8 @@ pub(crate) struct Arguments {
     pub(crate) flags: Option<Ident>,
     /// What the answer is read with.
     pub(crate) given: Option<Expr>,
+    /// How long the answer is.
+    pub(crate) answer_len: Option<Expr>,
 }
 
 impl Arguments {
@@ -168,6 +178,7 @@ impl Arguments {
             context: None,
             flags: None,
             given: None,
+            answer_len: None,
         };
         let mut directions = 0;
         if is_message {
@@ -197,6 +208,7 @@ impl Arguments {
                 "answer" if is_message => arguments.answer = Some(value(input)?),
                 "echo" if is_message => arguments.echo = echoes(input)?,
                 "given" if is_message => arguments.given = Some(value(input)?),
+                "answer_len" if is_message => arguments.answer_len = Some(value(input)?),
                 "flags" => arguments.flags = Some(value(input)?),
                 "acts" if is_message => arguments.acts = true,
                 "slow" if is_message => arguments.slow = true,
@@ -221,7 +233,9 @@ impl Arguments {
         if !arguments.outgoing && (asks || arguments.acts || arguments.slow) {
             return Err(Error::new(Span::call_site(), "only requests have an answer and do something"));
         }
-        if arguments.answer.is_none() && (!arguments.echo.is_empty() || arguments.given.is_some()) {
+        let about_answer =
+            !arguments.echo.is_empty() || arguments.given.is_some() || arguments.answer_len.is_some();
+        if arguments.answer.is_none() && about_answer {
             return Err(Error::new(Span::call_site(), "say with `answer` what is answered"));
         }
         Ok(arguments)
@@ -243,7 +257,7 @@ pub(crate) enum Count {
     AtMost(Expr),
 }
 
-/// The arguments of a field's or variant's `#[wire(…)]`.
+/// The arguments of a field's, variant's or part's `#[wire(…)]`.
 #[derive(Default)]
 pub(crate) struct FieldArguments {
     pub(crate) spec: Option<String>,
@@ -251,20 +265,32 @@ pub(crate) struct FieldArguments {
     pub(crate) group: bool,
     pub(crate) unit: Option<String>,
     pub(crate) range: Option<(Expr, Expr)>,
-    pub(crate) since: Option<String>,
+    pub(crate) since: Option<Since>,
     pub(crate) when: Option<Expr>,
     /// The flag with which the field is present.
     pub(crate) flag: Option<Expr>,
     pub(crate) context: Option<Expr>,
     pub(crate) count: Option<Count>,
+    /// The bits of a part.
+    pub(crate) bits: Option<Expr>,
+    /// The number that has the name.
+    pub(crate) value: Option<Expr>,
 }
 
+/// The keys of fields of messages and records.
+pub(crate) const FIELD_KEYS: &[&str] =
+    &["spec", "group", "unit", "since", "range", "when", "flag", "context", "counted_by", "count", "at_most"];
+
 impl FieldArguments {
-    /// Takes the `#[wire]` attributes out of `attributes`.
-    pub(crate) fn take(attributes: &mut Vec<Attribute>) -> Result<Self> {
+    /// Takes the `#[wire]` attributes, which may have these keys, out of `attributes`.
+    pub(crate) fn take(attributes: &mut Vec<Attribute>, keys: &[&str]) -> Result<Self> {
         let mut arguments = Self::default();
         for attribute in attributes.iter().filter(|attribute| attribute.path().is_ident("wire")) {
             for entry in attribute.parse_args_with(Punctuated::<Entry, Token![,]>::parse_terminated)? {
+                if keys.iter().all(|key| entry.key != key) {
+                    let message = format!("`{}` means nothing here", entry.key);
+                    return Err(Error::new(entry.key.span(), message));
+                }
                 arguments.set(entry)?;
             }
         }
@@ -277,7 +303,7 @@ impl FieldArguments {
             "spec" => self.spec = Some(string(value)?),
             "group" => self.group = true,
             "unit" => self.unit = Some(string(value)?),
-            "since" => self.since = Some(string(value)?),
+            "since" => self.since = Some(syn::parse2(quote::quote!(#value))?),
             "range" => self.range = Some(range(value)?),
             "when" => self.when = Some(value),
             "flag" => self.flag = Some(value),
@@ -285,6 +311,8 @@ impl FieldArguments {
             "counted_by" => self.count = Some(Count::Prefix(string(value)?)),
             "count" => self.count = Some(Count::Exactly(value)),
             "at_most" => self.count = Some(Count::AtMost(value)),
+            "bits" => self.bits = Some(value),
+            "value" => self.value = Some(value),
             other => return Err(Error::new(key.span(), format!("`{other}` means nothing here"))),
         }
         Ok(())

@@ -228,10 +228,7 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
     let direction = if arguments.outgoing { quote!(Outgoing) } else { quote!(Incoming) };
     let form = &arguments.form;
     let since = match &arguments.since {
-        Some(since) => {
-            let raw = since.raw;
-            quote!(::core::option::Option::Some(crate::units::FirmwareVersion(#raw)))
-        }
+        Some(since) => quote!(::core::option::Option::Some(#since)),
         None => quote!(::core::option::Option::None),
     };
     let (min, max, is_default) = (size.min, size.max, arguments.is_default);
@@ -244,17 +241,25 @@ pub(crate) fn of_message(structure: &Structure) -> TokenStream {
     });
     let request = arguments.answer.as_ref().map(|answer| {
         let given = arguments.given.as_ref().map_or_else(|| quote!(()), |given| quote!(#given));
+        let length = arguments.answer_len.as_ref().map(|length| {
+            quote! {
+                fn answer_len(&self) -> ::core::option::Option<usize> {
+                    ::core::option::Option::Some(#length)
+                }
+            }
+        });
         quote! {
             impl #generics crate::message::Request for #ty {
                 type Answer<'answer> = #answer;
 
-                fn decode_answer<'answer>(
+                fn decode_answer_prefix<'answer>(
                     &self,
                     payload: &'answer [u8],
-                ) -> ::core::result::Result<Self::Answer<'answer>, crate::DecodeError> {
-                    let answer = <#answer as crate::message::Message>::decode_with(payload, #given);
-                    answer.map(|(answer, _)| answer)
+                ) -> ::core::result::Result<(Self::Answer<'answer>, &'answer [u8]), crate::DecodeError> {
+                    <#answer as crate::message::Message>::decode_with(payload, #given)
                 }
+
+                #length
             }
         }
     });
@@ -298,7 +303,7 @@ fn request_info(structure: &Structure) -> Option<TokenStream> {
         // What is not answered is not sent to learn something.
         return Some(quote! {
             const REQUEST: crate::RequestInfo =
-                crate::RequestInfo::new(::core::option::Option::None, true, #slow, &[]);
+                crate::RequestInfo::new(::core::option::Option::None, true, #slow, &[], |_| ::core::option::Option::None);
         });
     };
     let acts = acts || is_named(answer, "Confirm");
@@ -314,12 +319,20 @@ fn request_info(structure: &Structure) -> Option<TokenStream> {
             )
         }
     });
+    let measure = match &arguments.answer_len {
+        Some(_) => quote!(|payload| {
+            let request = <Self as crate::message::Message>::decode(payload).ok()?;
+            crate::message::Request::answer_len(&request)
+        }),
+        None => quote!(|_| ::core::option::Option::None),
+    };
     Some(quote! {
         const REQUEST: crate::RequestInfo = crate::RequestInfo::new(
             ::core::option::Option::Some(<#answer as crate::message::Message>::ID),
             #acts,
             #slow,
             &[#(#echoes),*],
+            #measure,
         );
     })
 }

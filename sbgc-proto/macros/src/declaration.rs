@@ -4,7 +4,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 use syn::{Error, ItemStruct, Lifetime, Result, Type, parse2};
 
-use crate::attributes::{Arguments, FieldArguments, capitals};
+use crate::attributes::{Arguments, FIELD_KEYS, FieldArguments, capitals};
 use crate::structure::{Field, Structure, argument_of, is_named};
 use crate::{codec, documentation, reflection};
 
@@ -41,7 +41,7 @@ fn read(arguments: Arguments, item: TokenStream) -> Result<(ItemStruct, Structur
     for field in &mut item.fields {
         let name = field.ident.clone().unwrap_or_else(|| format_ident!("inner"));
         let doc = documentation::summary(&field.attrs);
-        let mut field_arguments = FieldArguments::take(&mut field.attrs)?;
+        let mut field_arguments = FieldArguments::take(&mut field.attrs, FIELD_KEYS)?;
         if let Some(flag) = &field_arguments.flag {
             let Some((flags, ty)) = flags_of(&arguments, &fields) else {
                 return Err(Error::new_spanned(flag, "a field with `flag` needs `flags` or a `context`"));

@@ -32,6 +32,7 @@ pub(crate) fn summary(attributes: &[Attribute]) -> String {
 fn literal(text: &Expr) -> Option<String> {
     match text {
         Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
+        Expr::Group(group) => literal(&group.expr),
         Expr::Macro(text) if text.mac.path.is_ident("concat") => {
             let parts = text.mac.parse_body_with(Punctuated::<LitStr, Token![,]>::parse_terminated).ok()?;
             Some(parts.iter().map(LitStr::value).collect())
@@ -95,7 +96,7 @@ pub(crate) fn of_message(arguments: &Arguments) -> Vec<Attribute> {
         line.push_str(" The answer may take seconds.");
     }
     let alias = command.to_string();
-    vec![parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line]), parse_quote!(#[doc(alias = #alias)])]
+    paragraph(&line).into_iter().chain([parse_quote!(#[doc(alias = #alias)])]).collect()
 }
 
 /// What a field's entry says besides its own words.
@@ -121,7 +122,7 @@ pub(crate) fn of_field(field: &Field, flags: Option<&Type>) -> Vec<Attribute> {
         facts.push(format!("raw range {} to {}", plain(from), plain(to)));
     }
     if let Some(since) = &arguments.since {
-        facts.push(format!("firmware {since}+"));
+        facts.push(format!("firmware {}+", since.text));
     }
     let mut line = facts.join(", ");
     if let Some(first) = line.get_mut(..1) {
@@ -144,6 +145,10 @@ pub(crate) fn of_field(field: &Field, flags: Option<&Type>) -> Vec<Attribute> {
     if line.is_empty() {
         return Vec::new();
     }
-    let line = line.trim_start();
-    vec![parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line])]
+    paragraph(line.trim_start()).into()
+}
+
+/// A paragraph of its own with this text.
+pub(crate) fn paragraph(text: &str) -> [Attribute; 2] {
+    [parse_quote!(#[doc = ""]), parse_quote!(#[doc = #text])]
 }

@@ -1,12 +1,12 @@
-//! The attribute macros in which `sbgc-proto` declares the protocol: [`macro@message`], [`macro@record`] and
-//! [`macro@open_enum`].
+//! The attribute macros in which `sbgc-proto` declares the protocol: [`macro@message`], [`macro@record`],
+//! [`macro@open_enum`] and [`macro@bit_fields`].
 //!
 //! They work only inside `sbgc-proto`: the code they write speaks of `crate::wire` and of that crate's features.
 //! From one declaration follow the codec, the sizes (checked when compiling), reflection, serde and defmt, and the
 //! part of the documentation that would otherwise be typed twice (spec names, units, ranges, versions).
 //!
-//! The written struct stays the struct that is used. The macros add attributes and trait implementations, nothing
-//! else; what they write never indexes, unwraps or casts.
+//! The written struct stays the struct that is used; only that of `bit_fields` becomes the number whose parts it
+//! lists. What the macros write never indexes, unwraps or casts.
 
 /// `quote!` for code with variables of its own: a field may have the name of any of them.
 macro_rules! local {
@@ -16,6 +16,7 @@ macro_rules! local {
 }
 
 mod attributes;
+mod bit_fields;
 mod codec;
 mod declaration;
 mod documentation;
@@ -51,6 +52,7 @@ use proc_macro::TokenStream;
 /// | `since = "…"` | first firmware |
 /// | `context(name: Type)` | what must be known besides the payload to read it |
 /// | `given = expression` | the context with which the answer is read; the request is `self` |
+/// | `answer_len = expression` | payload bytes of the answer, where the request determines them; the request is `self` |
 /// | `flags = field` | the field whose flags choose others; the context, if there is one, need not be named |
 ///
 /// Echoes are checked when compiling: both fields exist, at fixed offsets and of one size. Rules are:
@@ -106,4 +108,29 @@ pub fn record(arguments: TokenStream, item: TokenStream) -> TokenStream {
 #[proc_macro_attribute]
 pub fn open_enum(arguments: TokenStream, item: TokenStream) -> TokenStream {
     open_enum::expand(arguments.into(), item.into()).unwrap_or_else(syn::Error::into_compile_error).into()
+}
+
+/// Declares a number that is made of several smaller ones. Bits that no part takes are kept.
+///
+/// ```text
+/// #[bit_fields(u8)]
+/// pub struct Name {
+///     /// What it means.
+///     #[wire(bits = 0..=4)]
+///     pub channel: u8,
+///     /// What it means.
+///     #[wire(bits = 5..=6, spec = "TYPE", since = "2.68")]
+///     pub kind: Kind,
+///     /// If a value has a name as a whole.
+///     #[wire(value = 0)]
+///     pub NOTHING: Self,
+/// }
+/// ```
+///
+/// The argument is the integer on the wire, and the struct becomes one with it as field `0`. Each part, a `u8`, a `bool`
+/// or an open enumeration of one byte, gets a reader of its name and a `with_` method, which turns a value too large
+/// for the bits into the maximum that they hold; each named value becomes a constant.
+#[proc_macro_attribute]
+pub fn bit_fields(arguments: TokenStream, item: TokenStream) -> TokenStream {
+    bit_fields::expand(arguments.into(), item.into()).unwrap_or_else(syn::Error::into_compile_error).into()
 }

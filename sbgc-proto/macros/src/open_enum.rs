@@ -56,6 +56,25 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
     let labels = variants.iter().map(|Variant { value, spec, doc, .. }| {
         quote!(crate::wire::Label { value: #value, name: #spec, doc: #doc })
     });
+    // What is one byte can be a part of a larger number.
+    let part = (integer == "u8").then(|| {
+        quote! {
+            impl crate::declare::BitField for #name {
+                fn from_bits(bits: u32) -> Self {
+                    Self::from_raw(<u8 as crate::declare::BitField>::from_bits(bits))
+                }
+
+                fn into_bits(self) -> u32 {
+                    u32::from(self.raw())
+                }
+            }
+
+            #[cfg(feature = "reflect")]
+            impl crate::declare::BitLabels for #name {
+                const LABELS: &'static [crate::wire::Label] = Self::LABELS;
+            }
+        }
+    });
     let tests = format_ident!("every_{}", capitals(&name.to_string()).to_lowercase());
     Ok(quote! {
         #item
@@ -101,24 +120,11 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
         }
 
         crate::declare::number_type!(
-            #name: #integer, read |raw| #name::from_raw(raw), raw |value| value.raw(), labelled
+            #name: #integer, read |raw| #name::from_raw(raw), raw |value| value.raw(),
+            meaning crate::reflect::Meaning::Enum(Self::LABELS), labelled
         );
 
-        #[cfg(feature = "reflect")]
-        impl crate::reflect::NumberType for #name {
-            const NUMBER: crate::reflect::Number = crate::reflect::Number {
-                meaning: crate::reflect::Meaning::Enum(Self::LABELS),
-                ..crate::reflect::Number::plain(<#integer as crate::reflect::NumberType>::NUMBER.scalar)
-            };
-
-            fn raw_number(&self) -> i64 {
-                i64::from(self.raw())
-            }
-
-            fn from_raw_number(raw: i64) -> ::core::option::Option<Self> {
-                #integer::try_from(raw).ok().map(Self::from_raw)
-            }
-        }
+        #part
 
         #[cfg(test)]
         mod #tests {
@@ -144,14 +150,12 @@ fn variants(item: &mut ItemEnum, prefix: &str) -> Result<Vec<Variant>> {
             return Err(Error::new_spanned(&variant.ident, "each variant needs its value: `Name = 1`"));
         };
         let doc = documentation::summary(&variant.attrs);
-        let arguments = FieldArguments::take(&mut variant.attrs)?;
+        let arguments = FieldArguments::take(&mut variant.attrs, &["spec", "since"])?;
         let spec =
             arguments.spec.unwrap_or_else(|| format!("{prefix}{}", capitals(&variant.ident.to_string())));
-        let since = arguments.since.map(|since| format!(", firmware {since}+")).unwrap_or_default();
+        let since = arguments.since.map(|since| format!(", firmware {}+", since.text)).unwrap_or_default();
         let line = format!("Spec: `{spec}` = {}{since}.", quote!(#value).to_string().replace("- ", "-"));
-        variant
-            .attrs
-            .extend::<[syn::Attribute; 2]>([parse_quote!(#[doc = ""]), parse_quote!(#[doc = #line])]);
+        variant.attrs.extend(documentation::paragraph(&line));
         variants.push(Variant { name: variant.ident.clone(), value, spec, doc });
     }
     Ok(variants)

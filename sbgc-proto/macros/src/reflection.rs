@@ -89,7 +89,7 @@ fn info(field: &Field) -> TokenStream {
     let inner = with_static_lifetimes(field.inner.to_token_stream());
     let arguments = &field.arguments;
     let unit = arguments.unit.as_ref().map(|unit| quote!(unit: #unit,));
-    let since = arguments.since.as_ref().map(|since| quote!(since: #since,));
+    let since = arguments.since.as_ref().map(|since| quote!(since: ::core::option::Option::Some(#since),));
     let range = arguments
         .range
         .as_ref()

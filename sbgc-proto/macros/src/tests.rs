@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use crate::{declaration, open_enum};
+use crate::{bit_fields, declaration, open_enum};
 
 fn message(arguments: TokenStream, item: TokenStream) -> String {
     match declaration::expand_message(arguments, item) {
@@ -98,5 +98,30 @@ fn the_spec_names_follow_from_the_names() {
         ("r#type", "TYPE"),
     ] {
         assert_eq!(capitals(name), spec);
+    }
+}
+
+#[test]
+fn mistakes_in_the_parts_of_a_number_are_named() {
+    for (integer, fields, expected) in [
+        (quote!(u8), quote!({ #[wire(bits = 0..=3)] pub a: u8, #[wire(bits = 4)] pub b: bool }), "fine"),
+        (quote!(u8), quote!({ #[wire(value = 0)] pub A: Self }), "fine"),
+        (quote!(i8), quote!({}), "expected `u8`, `u16` or `u32`"),
+        (quote!(u8), quote!({ pub a: u8 }), "say where it stands: `bits = A..=B` or `bits = A`"),
+        (quote!(u8), quote!({ #[wire(bits = 4..=8)] pub a: u8 }), "the number has bits 0..=7"),
+        (quote!(u8), quote!({ #[wire(bits = 3..=2)] pub a: u8 }), "the number has bits 0..=7"),
+        (quote!(u8), quote!({ #[wire(bits = LOW)] pub a: u8 }), "the number of a bit is wanted here"),
+        (
+            quote!(u16),
+            quote!({ #[wire(bits = 0..=8)] pub a: u8, #[wire(bits = 8)] pub b: bool }),
+            "another part has some of these bits",
+        ),
+        (quote!(u8), quote!({ #[wire(bits = 0, unit = "mA")] pub a: bool }), "`unit` means nothing here"),
+    ] {
+        let said = match bit_fields::expand(integer, quote!(pub struct Name #fields)) {
+            Ok(_) => String::from("fine"),
+            Err(error) => error.to_string(),
+        };
+        assert_eq!(said, expected, "{fields}");
     }
 }

@@ -1,9 +1,9 @@
 //! Modules on the CAN bus: finding them, their versions, their firmware. Layouts are known from newer documents only.
 
-use sbgc_proto_macros::{message, open_enum, record};
+use sbgc_proto_macros::{bit_fields, message, open_enum, record};
 
 use crate::commands::Confirm;
-use crate::declare::{bit_enums, bit_fields};
+
 use crate::units::ModuleVersion;
 use crate::wire::{Bytes, List, Reserved};
 
@@ -42,14 +42,15 @@ pub struct CanDevice {
     pub device_type: CanDeviceTypeByte,
 }
 
-bit_fields! {
-    /// Type of a device on the CAN bus, and the origin of its id.
-    pub struct CanDeviceTypeByte: u8 {
-        /// Type of the device.
-        0..=6 => kind / with_kind "CAN_DEVICE_TYPE": CanDeviceType,
-        /// Whether the id is set in hardware.
-        7 => hardware_id / with_hardware_id "HARDWARE_ID": bool,
-    }
+/// Type of a device on the CAN bus, and the origin of its id.
+#[bit_fields(u8)]
+pub struct CanDeviceTypeByte {
+    /// Type of the device.
+    #[wire(bits = 0..=6, spec = "CAN_DEVICE_TYPE")]
+    pub kind: CanDeviceType,
+    /// Whether the id is set in hardware.
+    #[wire(bits = 7)]
+    pub hardware_id: bool,
 }
 
 /// Type of a device on the CAN bus. Spec: `CAN_DEVICE_TYPE`.
@@ -60,7 +61,6 @@ pub enum CanDeviceType {
     /// An IMU.
     Imu = 2,
 }
-bit_enums!(CanDeviceType);
 
 /// Role of a device on the CAN bus. Spec: `CAN_DEVICE_ID`.
 ///

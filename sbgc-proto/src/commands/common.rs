@@ -1,7 +1,6 @@
 //! Values that several topics share.
 
-use crate::declare::{bit_enums, bit_fields};
-use sbgc_proto_macros::open_enum;
+use sbgc_proto_macros::{bit_fields, open_enum};
 
 /// Off or on. Spec: `NO_YES`.
 #[open_enum(u8)]
@@ -13,7 +12,6 @@ pub enum Switch {
     #[wire(spec = "YES")]
     On = 1,
 }
-bit_enums!(Switch);
 
 /// Parameter profile. Spec: `PROFILE_ID`.
 #[open_enum(u8)]
@@ -63,43 +61,52 @@ pub enum ImuType {
     Frame = 2,
 }
 
-bit_fields! {
-    /// Signal source: a kind of input and a channel number. Zero means not assigned.
-    ///
-    /// ```
-    /// use sbgc_proto::commands::{RcSource, RcSourceKind};
-    ///
-    /// assert_eq!(RcSource::API_VIRT_CH.with_channel(3), RcSource(131));
-    /// assert_eq!(RcSource(34).kind(), RcSourceKind::Analog);
-    /// ```
-    pub struct RcSource: u8 {
-        /// Number of the channel, from 1 on.
-        0..=4 => channel / with_channel "CHANNEL": u8,
-        /// Kind of input.
-        5..=7 => kind / with_kind "RC_MAP_TYPE": RcSourceKind,
-    }
-    names {
-        /// From nowhere.
-        NOT_ASSIGNED = 0;
-        /// PWM input of the ROLL channel.
-        RC_INPUT_ROLL = 1;
-        /// PWM input of the PITCH channel.
-        RC_INPUT_PITCH = 2;
-        /// PWM input for the flight controller's ROLL.
-        EXT_FC_INPUT_ROLL = 3;
-        /// PWM input for the flight controller's PITCH.
-        EXT_FC_INPUT_PITCH = 4;
-        /// PWM input of the YAW channel.
-        RC_INPUT_YAW = 5;
-        /// Analog input 1.
-        ADC1 = 33;
-        /// Analog input 2.
-        ADC2 = 34;
-        /// Analog input 3.
-        ADC3 = 35;
-        /// Analog input 4, on some boards of newer firmware.
-        ADC4 = 36;
-    }
+/// Signal source: a kind of input and a channel number. Zero means not assigned.
+///
+/// ```
+/// use sbgc_proto::commands::{RcSource, RcSourceKind};
+///
+/// assert_eq!(RcSource::API_VIRT_CH.with_channel(3), RcSource(131));
+/// assert_eq!(RcSource(34).kind(), RcSourceKind::Analog);
+/// ```
+#[bit_fields(u8)]
+pub struct RcSource {
+    /// Number of the channel, from 1 on.
+    #[wire(bits = 0..=4)]
+    pub channel: u8,
+    /// Kind of input.
+    #[wire(bits = 5..=7, spec = "RC_MAP_TYPE")]
+    pub kind: RcSourceKind,
+    /// From nowhere.
+    #[wire(value = 0)]
+    pub NOT_ASSIGNED: Self,
+    /// PWM input of the ROLL channel.
+    #[wire(value = 1)]
+    pub RC_INPUT_ROLL: Self,
+    /// PWM input of the PITCH channel.
+    #[wire(value = 2)]
+    pub RC_INPUT_PITCH: Self,
+    /// PWM input for the flight controller's ROLL.
+    #[wire(value = 3)]
+    pub EXT_FC_INPUT_ROLL: Self,
+    /// PWM input for the flight controller's PITCH.
+    #[wire(value = 4)]
+    pub EXT_FC_INPUT_PITCH: Self,
+    /// PWM input of the YAW channel.
+    #[wire(value = 5)]
+    pub RC_INPUT_YAW: Self,
+    /// Analog input 1.
+    #[wire(value = 33)]
+    pub ADC1: Self,
+    /// Analog input 2.
+    #[wire(value = 34)]
+    pub ADC2: Self,
+    /// Analog input 3.
+    #[wire(value = 35)]
+    pub ADC3: Self,
+    /// Analog input 4, on some boards of newer firmware.
+    #[wire(value = 36)]
+    pub ADC4: Self,
 }
 
 impl RcSource {
@@ -126,4 +133,3 @@ pub enum RcSourceKind {
     #[wire(since = "2.66")]
     StepSignal = 5,
 }
-bit_enums!(RcSourceKind);

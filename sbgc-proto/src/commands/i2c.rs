@@ -1,9 +1,8 @@
 //! Registers of devices on the board's I2C buses.
 
-use sbgc_proto_macros::{message, open_enum};
+use sbgc_proto_macros::{bit_fields, message, open_enum};
 
 use crate::commands::Confirm;
-use crate::declare::{bit_enums, bit_fields};
 
 /// Writes to a register of a device.
 ///
@@ -39,20 +38,21 @@ pub struct I2cReadRegBuf<'a> {
     pub data: &'a [u8],
 }
 
-bit_fields! {
-    /// A device on one of the buses.
-    ///
-    /// ```
-    /// use sbgc_proto::commands::{I2cDevice, I2cPort};
-    ///
-    /// assert_eq!(I2cDevice::new(I2cPort::External, 0x68), I2cDevice(0xD0));
-    /// ```
-    pub struct I2cDevice: u8 {
-        /// The bus.
-        0 => port / with_port "PORT": I2cPort,
-        /// The device's address of seven bits.
-        1..=7 => address / with_address "ADDRESS": u8,
-    }
+/// A device on one of the buses.
+///
+/// ```
+/// use sbgc_proto::commands::{I2cDevice, I2cPort};
+///
+/// assert_eq!(I2cDevice::new(I2cPort::External, 0x68), I2cDevice(0xD0));
+/// ```
+#[bit_fields(u8)]
+pub struct I2cDevice {
+    /// The bus.
+    #[wire(bits = 0)]
+    pub port: I2cPort,
+    /// The device's address of seven bits.
+    #[wire(bits = 1..=7)]
+    pub address: u8,
 }
 
 impl I2cDevice {
@@ -70,7 +70,6 @@ pub enum I2cPort {
     /// The internal one, with the EEPROM.
     Internal = 1,
 }
-bit_enums!(I2cPort);
 
 #[cfg(test)]
 mod tests {

@@ -2,14 +2,15 @@
 
 use sbgc_proto_macros::{message, open_enum, record};
 
-use crate::CommandId;
 use crate::commands::{
-    CanDrvTelemetryFlags, Confirm, ExtMotors, ExtMotorsStateDataSet, ImuIndex, RealtimeDataCustom2Flags,
-    RealtimeDataCustomFlags, Switch,
+    AhrsHelperModeByte, CanDrvTelemetryFlags, Confirm, ExtMotors, ExtMotorsStateDataSet, ImuIndex,
+    RealtimeDataCustom2Flags, RealtimeDataCustom2Request, RealtimeDataCustomFlags, RealtimeDataCustomRequest,
+    Switch,
 };
 use crate::declare::flags;
 use crate::units::StreamInterval;
 use crate::wire::{Bytes, Reserved};
+use crate::{CommandId, Message};
 
 /// Registers, changes or ends a data stream: a message sent at a fixed rate or on events.
 ///
@@ -98,7 +99,7 @@ pub enum StreamSource {
     /// [`AhrsHelper`](super::AhrsHelper) of this IMU. It counts from 0, as the specification has it;
     /// some libraries count from 1.
     AhrsHelper(ImuIndex),
-    /// [`Event`]; firmware 2.65b7+.
+    /// [`BoardEvent`]; firmware 2.65b7+.
     Event {
         /// Event kind.
         event_id: EventId,
@@ -157,6 +158,31 @@ impl StreamSource {
         })
     }
 
+    /// The stream whose messages look like the answer to the request with this id and payload; `None` if there is none.
+    pub fn of_request(command: CommandId, payload: &[u8]) -> Option<Self> {
+        match command {
+            CommandId::RealtimeDataCustom => {
+                let request = RealtimeDataCustomRequest::decode(payload).ok()?;
+                Some(Self::RealtimeDataCustom(request.flags))
+            }
+            CommandId::RealtimeDataCustom2 => {
+                let request = RealtimeDataCustom2Request::decode(payload).ok()?;
+                Some(Self::RealtimeDataCustom2(request.flags))
+            }
+            CommandId::AhrsHelper => {
+                // The mode comes first in each form.
+                let mode = AhrsHelperModeByte(*payload.first()?);
+                Some(Self::AhrsHelper(if mode.frame_imu() { ImuIndex::Frame } else { ImuIndex::Main }))
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether messages come at each interval; otherwise only when something happens.
+    pub const fn is_periodic(self) -> bool {
+        !matches!(self, Self::Event { .. })
+    }
+
     /// Command that the board sends.
     pub fn cmd_id(self) -> CommandId {
         match self {
@@ -208,7 +234,7 @@ impl StreamSource {
 /// Sent only to ports that registered it with [`DataStreamInterval`].
 #[message(CMD_EVENT, incoming, size = 4..=255, since = "2.65")]
 #[derive(Copy)]
-pub struct Event<'a> {
+pub struct BoardEvent<'a> {
     /// Event kind.
     pub event_id: EventId,
     /// Event phase. With the camera these bits have other names.
@@ -264,7 +290,6 @@ impl EventTypes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Message;
 
     /// Made by hand from the layout.
     #[test]
@@ -320,13 +345,13 @@ mod tests {
     /// Made by hand from the layout.
     #[test]
     fn events_may_grow() {
-        let event = Event::decode(&[2, 2, 0, 0]).unwrap();
+        let event = BoardEvent::decode(&[2, 2, 0, 0]).unwrap();
         assert_eq!((event.event_id, event.event_type), (EventId::MotorState, EventTypes::ON));
         let payload = [1, 0x84, 0xE8, 0x03, 7, 8];
-        let event = Event::decode(&payload).unwrap();
+        let event = BoardEvent::decode(&payload).unwrap();
         assert_eq!(event.event_type, EventTypes::HOLD | EventTypes::from_bits_retain(0x80));
         assert_eq!((event.param1, event.extra), (1000, &[7, 8][..]));
         assert_eq!(event.encode(&mut [0; 6]), Ok(&payload[..]));
-        assert!(Event::decode(&payload[..3]).is_err());
+        assert!(BoardEvent::decode(&payload[..3]).is_err());
     }
 }

@@ -6,5 +6,5 @@ mod number;
 
 #[cfg(feature = "reflect")]
 pub(crate) use bits::BitLabels;
-pub(crate) use bits::{BitField, bit_enums, bit_fields, bit_width, bit_words, first_doc, flags, spec_name};
+pub(crate) use bits::{BitField, first_doc, flags, spec_name};
 pub(crate) use number::number_type;

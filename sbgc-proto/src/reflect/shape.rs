@@ -1,6 +1,7 @@
 //! The description of fields as constant data.
 
 use super::Number;
+use crate::version::FirmwareVersion;
 
 /// One declared field.
 #[derive(Clone, Copy, Debug)]
@@ -15,8 +16,8 @@ pub struct FieldInfo {
     pub unit: &'static str,
     /// The allowed raw values, both ends included.
     pub range: Option<(f64, f64)>,
-    /// The first firmware that uses it; empty when that is not known or the first of all.
-    pub since: &'static str,
+    /// The first firmware that uses it; `None` if that is unknown or the first of all.
+    pub since: Option<FirmwareVersion>,
     /// Whether it is always on the wire.
     pub presence: Presence,
     /// Whether the protocol keeps it for later.
@@ -37,7 +38,7 @@ impl FieldInfo {
             doc: "",
             unit: "",
             range: None,
-            since: "",
+            since: None,
             presence: Presence::Always,
             reserved: false,
             shape,

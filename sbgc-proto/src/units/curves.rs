@@ -119,20 +119,6 @@ macro_rules! curves {
         }
 
         crate::declare::number_type!($name: u8, read |raw| $name(raw), raw |value| value.0);
-
-        #[cfg(feature = "reflect")]
-        impl crate::reflect::NumberType for $name {
-            const NUMBER: crate::reflect::Number =
-                crate::reflect::Number::plain(crate::reflect::Scalar::u8);
-
-            fn raw_number(&self) -> i64 {
-                i64::from(self.0)
-            }
-
-            fn from_raw_number(raw: i64) -> Option<Self> {
-                raw.try_into().ok().map(Self)
-            }
-        }
     )* };
 }
 

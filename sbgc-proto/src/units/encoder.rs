@@ -76,25 +76,10 @@ impl fmt::Display for EncoderAngle {
     }
 }
 
-crate::declare::number_type!(EncoderAngle: U24, read |raw| EncoderAngle(raw), raw |value| value.0);
-
-#[cfg(feature = "reflect")]
-impl crate::reflect::NumberType for EncoderAngle {
-    const NUMBER: crate::reflect::Number = crate::reflect::Number {
-        unit: "deg",
-        multiply: 360.0,
-        divide: 16_777_216.0,
-        ..crate::reflect::Number::plain(crate::reflect::Scalar::u24)
-    };
-
-    fn raw_number(&self) -> i64 {
-        i64::from(self.0.get())
-    }
-
-    fn from_raw_number(raw: i64) -> Option<Self> {
-        U24::from_raw_number(raw).map(Self)
-    }
-}
+crate::declare::number_type!(
+    EncoderAngle: U24, read |raw| EncoderAngle(raw), raw |value| value.0,
+    scale "deg", 360.0, 16_777_216.0
+);
 
 #[cfg(feature = "serde")]
 impl serde::Serialize for EncoderAngle {

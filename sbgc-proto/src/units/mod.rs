@@ -31,8 +31,9 @@ pub use curves::{
     ShakeResonance,
 };
 pub use encoder::EncoderAngle;
-pub use firmware::{FirmwareVersion, ParseVersionError};
 pub use packed_quaternion::PackedQuaternion;
+
+pub use crate::version::{FirmwareVersion, ParseVersionError};
 
 use quantity::quantities;
 

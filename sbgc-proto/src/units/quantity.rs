@@ -261,30 +261,15 @@ macro_rules! quantities {
             }
         }
 
-        crate::declare::number_type!($name: $integer, read |raw| $name(raw), raw |value| value.0);
-
-        #[cfg(feature = "reflect")]
-        impl crate::reflect::NumberType for $name {
-            const NUMBER: crate::reflect::Number = crate::reflect::Number {
-                scalar: crate::reflect::Scalar::$integer,
-                unit: $unit,
-                multiply: $multiply as f64,
-                divide: $divide as f64,
-                meaning: if Self::LABELS.is_empty() {
-                    crate::reflect::Meaning::Plain
-                } else {
-                    crate::reflect::Meaning::Special(Self::LABELS)
-                },
-            };
-
-            fn raw_number(&self) -> i64 {
-                i64::from(self.0)
+        crate::declare::number_type!(
+            $name: $integer, read |raw| $name(raw), raw |value| value.0,
+            scale $unit, $multiply as f64, $divide as f64,
+            meaning if Self::LABELS.is_empty() {
+                crate::reflect::Meaning::Plain
+            } else {
+                crate::reflect::Meaning::Special(Self::LABELS)
             }
-
-            fn from_raw_number(raw: i64) -> Option<Self> {
-                raw.try_into().ok().map(Self)
-            }
-        }
+        );
 
         #[cfg(feature = "serde")]
         crate::serde_support::quantity!($name: $integer, $multiply, $divide);

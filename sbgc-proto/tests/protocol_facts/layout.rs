@@ -254,7 +254,7 @@ const UNNAMED: FieldInfo = FieldInfo {
     doc: "",
     unit: "",
     range: None,
-    since: "",
+    since: None,
     presence: Presence::Always,
     reserved: false,
     shape: Shape::Struct(&[]),

@@ -6,7 +6,7 @@ use std::io::Write as _;
 
 use clap::{Args, ValueEnum};
 use clap_complete::engine::{ArgValueCandidates, CompletionCandidate};
-use sbgc_host::capture::{Interpreted, Meaning};
+use sbgc_host::capture::{AnyMessage, Interpreted};
 use sbgc_proto::frame::{MAX_FRAME, MAX_PAYLOAD, Version};
 use sbgc_proto::reflect::{self, AssignError, Input};
 use sbgc_proto::{
@@ -239,11 +239,11 @@ impl<'a> Message<'a> {
 
 impl<'a> From<Message<'a>> for Interpreted<'a> {
     fn from(message: Message<'a>) -> Self {
-        let meaning = match message {
-            Message::Outgoing(message) => Meaning::Outgoing(message),
-            Message::Incoming(message) => Meaning::Incoming(message),
+        let message = match message {
+            Message::Outgoing(message) => AnyMessage::Outgoing(message),
+            Message::Incoming(message) => AnyMessage::Incoming(message),
         };
-        Interpreted { meaning, rest: &[] }
+        Interpreted { message, rest: &[] }
     }
 }
 

@@ -1,8 +1,8 @@
 //! Parameters that act, adjustable variables, profiles and sets of them.
 
 use sbgc_proto::commands::{
-    AdjVarsCfg, AdjVarsVal, AdjustableVariable as Var, AnalogSlot, ApiVirtChHighRes, BoardInfo3,
-    BoardInfo3Request, Confirm, Event, ExecuteMenu, GeneralFlags1, GeneralFlags2, GetAdjVarsVal, MenuCommand,
+    AdjVarsCfg, AdjVarsVal, AdjustableVariable as Var, AnalogSlot, ApiVirtChHighRes, BoardEvent, BoardInfo3,
+    BoardInfo3Request, Confirm, ExecuteMenu, GeneralFlags1, GeneralFlags2, GetAdjVarsVal, MenuCommand,
     Params3, ParamsExt2, ProfileId, ProfileSet, ProfileSetAction, ProfileSetSlot, RcSource, ReadParams3,
     ReadParamsExt2, Reset, ResetRequest, SaveParams3, SaveParams3Extended, SetAdjVarsVal, TriggerSlot,
     UseDefaults, VariableTarget, VariableValue, WriteAdjVarsCfg, WriteParams3, WriteParamsExt2,
@@ -205,7 +205,7 @@ fn events_are_told_once_to_those_who_asked() {
     let source = StreamSource::Event { event_id: EventId::MotorState, event_type: EventTypes::OFF };
     bench.ask_one(&DataStreamInterval::new(source, StreamInterval(1)));
     let got = [bench.ask(&MotorsOff::default()), bench.run(ms(100))].concat();
-    let events: Vec<_> = got.iter().filter(|got| got.id == Event::ID.raw()).collect();
+    let events: Vec<_> = got.iter().filter(|got| got.id == BoardEvent::ID.raw()).collect();
     assert_eq!(events.len(), 1, "{got:?}");
     assert_eq!(events[0].payload, [2, 1, 0, 0]);
     bench.ask(&sbgc_proto::commands::MotorsOn {});

@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::{message, open_enum};
 
-use crate::declare::{bit_enums, flags};
+use crate::declare::flags;
 use crate::units::ServoTime;
 use crate::wire::List;
 
@@ -125,7 +125,6 @@ pub enum TriggerPinId {
     #[wire(spec = "CAN_IMU_FRAME_AUX2")]
     CanImuFrameAux2 = 89,
 }
-bit_enums!(TriggerPinId);
 
 /// State to give to a pin. Spec: `TRIGGER_PIN_STATE`.
 #[open_enum(u8)]

@@ -1,10 +1,9 @@
 //! Mapping of signals to actions and variables.
 
-use sbgc_proto_macros::{message, record};
+use sbgc_proto_macros::{bit_fields, message, record};
 
 use super::AdjustableVariable;
 use crate::commands::{Confirm, MenuCommand, RcSource};
-use crate::declare::bit_fields;
 use crate::wire::Reserved;
 
 /// Requests the mapping of signals to actions and variables.
@@ -51,12 +50,13 @@ pub struct AnalogSlot {
     pub max_val: u8,
 }
 
-bit_fields! {
-    /// A variable, and how a signal changes it.
-    pub struct VariableTarget: u8 {
-        /// The variable.
-        0..=6 => variable / with_variable "VAR_ID": AdjustableVariable,
-        /// Whether the signal multiplies the variable instead of being its value. Firmware 2.62b6+.
-        7 => multiplies / with_multiplies "MULTIPLIER": bool,
-    }
+/// A variable, and how a signal changes it.
+#[bit_fields(u8)]
+pub struct VariableTarget {
+    /// The variable.
+    #[wire(bits = 0..=6, spec = "VAR_ID")]
+    pub variable: AdjustableVariable,
+    /// Whether the signal multiplies the variable instead of being its value.
+    #[wire(bits = 7, spec = "MULTIPLIER", since = "2.62b6")]
+    pub multiplies: bool,
 }

@@ -1,11 +1,10 @@
 //! Current state of signals and the variables they change.
 
-use sbgc_proto_macros::message;
+use sbgc_proto_macros::{bit_fields, message};
 
 use super::AdjustableVariable;
 use crate::commands::{MenuCommand, RcSource};
 use crate::declare::BitField;
-use crate::declare::bit_fields;
 use crate::units::RcSignal;
 use crate::wire::{Float, Reserved};
 
@@ -92,12 +91,12 @@ pub struct AdjVarsStateLegacy {
     pub reserved: Reserved<6>,
 }
 
-bit_fields! {
-    /// Signal source in two bytes. All known sources fit in the low byte.
-    pub struct WideRcSource: u16 {
-        /// Signal source.
-        0..=7 => source / with_source "RC_MAP": RcSource,
-    }
+/// Signal source in two bytes. All known sources fit in the low byte.
+#[bit_fields(u16)]
+pub struct WideRcSource {
+    /// Signal source.
+    #[wire(bits = 0..=7, spec = "RC_MAP")]
+    pub source: RcSource,
 }
 
 impl From<RcSource> for WideRcSource {

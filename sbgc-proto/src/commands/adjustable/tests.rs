@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::commands::*;
-use crate::units::RcSignal;
+use crate::units::{FirmwareVersion, RcSignal};
 use crate::wire::{FromWire, ToWire};
 use crate::{DecodeError, Message};
 
@@ -131,6 +131,6 @@ fn facts_of_variables_are_in_order() {
     let lpf = AdjustableVariable::RcLpfRoll.facts().unwrap();
     assert_eq!((lpf.ty, lpf.range, lpf.newer_most), (VariableType::u8, Some((0, 15)), Some(255)));
     assert_eq!(AdjustableVariable::RcModeRoll.facts().unwrap().range, None);
-    assert_eq!(AdjustableVariable::HCorrFactor.facts().unwrap().since, "2.68b7");
+    assert_eq!(AdjustableVariable::HCorrFactor.facts().unwrap().since, Some(FirmwareVersion::new(2, 68, 7)));
     assert_eq!(AdjustableVariable::Unknown(102).facts(), None);
 }

@@ -1,6 +1,7 @@
 //! The adjustable variables: parameters that can be changed while the gimbal works.
 
-use crate::declare::bit_enums;
+use crate::units::FirmwareVersion;
+
 /// Type of an adjustable variable. On the wire all have 4 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -31,8 +32,8 @@ pub struct VariableFacts {
     pub unit: &'static str,
     /// The value is the raw value divided by this.
     pub divide: u16,
-    /// First firmware; empty where that is not known or the first of all.
-    pub since: &'static str,
+    /// The first firmware that has it; `None` if that is unknown or the first of all.
+    pub since: Option<FirmwareVersion>,
 }
 
 /// The first of what is there.
@@ -75,7 +76,7 @@ macro_rules! variables {
                     newer_most: first!($($(Some($newer),)?)? None),
                     unit: first!($($unit,)? ""),
                     divide: first!($($divide,)? 1),
-                    since: first!($($since,)? ""),
+                    since: first!($(Some(FirmwareVersion::declared($since)),)? None),
                 },)*
             ];
         }
@@ -96,8 +97,6 @@ impl AdjustableVariable {
         Self::ALL.iter().find(|facts| facts.variable == self)
     }
 }
-
-bit_enums!(AdjustableVariable);
 
 variables! {
     /// A parameter that can be changed while the gimbal works.

@@ -6,14 +6,14 @@ mod quaternion;
 #[cfg(test)]
 mod tests;
 
-use sbgc_proto_macros::{message, open_enum, record};
+use sbgc_proto_macros::{bit_fields, message, open_enum, record};
 
 pub use config::*;
 pub use extended::*;
 pub use quaternion::*;
 
 use crate::commands::Confirm;
-use crate::declare::{bit_enums, bit_fields};
+
 use crate::units::{Angle, CoarseRcSignal, ControlRate, FineControlRate, RcSignal};
 use crate::wire::PerAxis;
 
@@ -196,38 +196,36 @@ impl ControlAxis {
     }
 }
 
-bit_fields! {
-    /// Control mode of an axis, with its flags.
+/// Control mode of an axis, with its flags.
+///
+/// ```
+/// use sbgc_proto::commands::{ControlMode, ControlModeKind};
+///
+/// let mode = ControlMode::ANGLE_REL_FRAME.with_auto_task(true);
+/// assert_eq!(mode, ControlMode(0x45));
+/// assert_eq!(mode.kind(), ControlModeKind::AngleRelFrame);
+/// ```
+#[bit_fields(u8)]
+pub struct ControlMode {
+    /// Control mode of the axis.
+    #[wire(bits = 0..=3, spec = "CONTROL_MODE")]
+    pub kind: ControlModeKind,
+    /// Mixes the command with the motion of follow mode, in the modes `Rc`, `Speed`, `Angle` and `AngleShortest`.
+    #[wire(bits = 4, spec = "CONTROL_FLAG_MIX_FOLLOW", since = "2.70b5")]
+    pub mix_follow: bool,
+    /// Goes to the target more precisely, in the modes `Angle` and `AngleRelFrame`.
+    #[wire(bits = 5, spec = "CONTROL_FLAG_TARGET_PRECISE", since = "2.70b1")]
+    pub target_precise: bool,
+    /// Moves as an automated task, in the modes `Angle` and `AngleRelFrame`.
     ///
-    /// ```
-    /// use sbgc_proto::commands::{ControlMode, ControlModeKind};
-    ///
-    /// let mode = ControlMode::ANGLE_REL_FRAME.with_auto_task(true);
-    /// assert_eq!(mode, ControlMode(0x45));
-    /// assert_eq!(mode.kind(), ControlModeKind::AngleRelFrame);
-    /// ```
-    pub struct ControlMode: u8 {
-        /// Control mode of the axis.
-        0..=3 => kind / with_kind "CONTROL_MODE": ControlModeKind,
-        /// Mixes the command with the motion of follow mode, in the modes `Rc`, `Speed`, `Angle` and `AngleShortest`.
-        ///
-        /// Firmware 2.70b5+.
-        4 => mix_follow / with_mix_follow "CONTROL_FLAG_MIX_FOLLOW": bool,
-        /// Goes to the target more precisely, in the modes `Angle` and `AngleRelFrame`.
-        ///
-        /// Firmware 2.70b1+.
-        5 => target_precise / with_target_precise "CONTROL_FLAG_TARGET_PRECISE": bool,
-        /// Moves as an automated task, in the modes `Angle` and `AngleRelFrame`.
-        ///
-        /// That is with the speed and acceleration of such, unless a speed is given, and confirmed once more, with
-        /// data 1, when all angles are reached. The same bit is [`force_rc_speed`](Self::force_rc_speed) in the mode
-        /// `Rc`. Firmware 2.62b7+.
-        6 => auto_task / with_auto_task "CONTROL_FLAG_AUTO_TASK": bool,
-        /// Speeds are in thousandths of a degree per second, for very slow motion.
-        ///
-        /// Firmware 2.60+.
-        7 => high_res_speed / with_high_res_speed "CONTROL_FLAG_HIGH_RES_SPEED": bool,
-    }
+    /// That is with the speed and acceleration of such, unless a speed is given, and confirmed once more, with
+    /// data 1, when all angles are reached. The same bit is [`force_rc_speed`](Self::force_rc_speed) in the mode
+    /// `Rc`.
+    #[wire(bits = 6, spec = "CONTROL_FLAG_AUTO_TASK", since = "2.62b7")]
+    pub auto_task: bool,
+    /// Speeds are in thousandths of a degree per second, for very slow motion.
+    #[wire(bits = 7, spec = "CONTROL_FLAG_HIGH_RES_SPEED", since = "2.60")]
+    pub high_res_speed: bool,
 }
 
 impl ControlMode {
@@ -308,4 +306,3 @@ pub enum ControlModeKind {
     #[wire(since = "2.70b7")]
     AngleShortest = 8,
 }
-bit_enums!(ControlModeKind);

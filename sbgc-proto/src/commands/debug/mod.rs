@@ -6,9 +6,8 @@
 #[cfg(test)]
 mod tests;
 
-use sbgc_proto_macros::{message, open_enum, record};
+use sbgc_proto_macros::{bit_fields, message, open_enum, record};
 
-use crate::declare::{bit_enums, bit_fields};
 use crate::wire::{Float, FromWire, List, Reserved, Text};
 use crate::{DecodeError, Message, OutOfRange};
 
@@ -55,16 +54,18 @@ pub struct DebugVarInfo<'a> {
     pub reserved: Reserved<2>,
 }
 
-bit_fields! {
-    /// Wire type and meaning of a debug variable.
-    pub struct DebugVarKind: u8 {
-        /// Type of the value.
-        0..=3 => var_type / with_var_type "VAR_TYPE": DebugVarType,
-        /// Axis that it belongs to.
-        4..=5 => axis / with_axis "VAR_FLAG_AXIS": DebugVarAxis,
-        /// It is an angle in steps of 14 bits per turn.
-        6 => is_angle / with_is_angle "VAR_FLAG_ANGLE14": bool,
-    }
+/// Wire type and meaning of a debug variable.
+#[bit_fields(u8)]
+pub struct DebugVarKind {
+    /// Type of the value.
+    #[wire(bits = 0..=3)]
+    pub var_type: DebugVarType,
+    /// Axis that it belongs to.
+    #[wire(bits = 4..=5, spec = "VAR_FLAG_AXIS")]
+    pub axis: DebugVarAxis,
+    /// It is an angle in steps of 14 bits per turn.
+    #[wire(bits = 6, spec = "VAR_FLAG_ANGLE14")]
+    pub is_angle: bool,
 }
 
 impl DebugVarKind {
@@ -113,7 +114,6 @@ pub enum DebugVarAxis {
     /// YAW.
     Yaw = 3,
 }
-bit_enums!(DebugVarType, DebugVarAxis);
 
 /// Requests the values of all debug variables.
 #[message(CMD_DEBUG_VARS_3, outgoing, form = "simple", default, size = 0, length = 0, answer = DebugVars3<'answer>)]

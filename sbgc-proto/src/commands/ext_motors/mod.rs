@@ -3,9 +3,9 @@
 #[cfg(test)]
 mod tests;
 
-use sbgc_proto_macros::{message, open_enum, record};
+use sbgc_proto_macros::{bit_fields, message, open_enum, record};
 
-use crate::declare::{bit_enums, bit_fields, flags};
+use crate::declare::flags;
 use crate::units::{Angle, ControlRate, FineAngle, MicroRate, MotorAccelerationLimit, MotorSpeedLimit};
 use crate::wire::List;
 
@@ -309,14 +309,15 @@ flags! {
     }
 }
 
-bit_fields! {
-    /// Whether an auxiliary motor is on, and its pins. Spec: `EXT_MOTOR_STATE_FLAG`.
-    pub struct ExtMotorStateFlags: u16 {
-        /// Whether it is on, or how it is off.
-        0..=1 => power / with_power "MOTOR_STATE": ExtMotorPower,
-        /// The level of the index pin.
-        2 => index_pin / with_index_pin "INDEX_PIN_STATE": bool,
-    }
+/// Whether an auxiliary motor is on, and its pins. Spec: `EXT_MOTOR_STATE_FLAG`.
+#[bit_fields(u16)]
+pub struct ExtMotorStateFlags {
+    /// Whether it is on, or how it is off.
+    #[wire(bits = 0..=1, spec = "MOTOR_STATE")]
+    pub power: ExtMotorPower,
+    /// The level of the index pin.
+    #[wire(bits = 2, spec = "INDEX_PIN_STATE")]
+    pub index_pin: bool,
 }
 
 /// Whether an auxiliary motor is on, or how it is off: bits 0 and 1 of its state.
@@ -331,4 +332,3 @@ pub enum ExtMotorPower {
     /// Coming to rest.
     OffSafeStop = 3,
 }
-bit_enums!(ExtMotorPower);

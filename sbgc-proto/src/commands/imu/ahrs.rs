@@ -1,8 +1,7 @@
 //! Attitude as two vectors, given to the board or taken from it.
 
-use sbgc_proto_macros::{message, open_enum};
+use sbgc_proto_macros::{bit_fields, message, open_enum};
 
-use crate::declare::{bit_enums, bit_fields};
 use crate::wire::{Bytes, Float, PerXyz};
 
 /// Sets the attitude of an IMU from an external source, or requests it.
@@ -77,30 +76,37 @@ macro_rules! modes {
     ($(
         $(#[doc = $doc:literal])+
         $name:ident: $integer:ident {
-            $($(#[doc = $part_doc:literal])+ $low:literal $(..= $high:literal)? => $part:ident / $with:ident $spec:literal: $ty:ty,)*
+            $($(#[$part_attribute:meta])+ pub $part:ident: $ty:ty,)*
         }
     )*) => { $(
-        bit_fields! {
-            $(#[doc = $doc])+
-            pub struct $name: $integer {
-                /// Whether an attitude is set; otherwise one is requested.
-                0 => set / with_set "SET": bool,
-                /// Whether the sensor on the frame is meant; else the one on the camera platform.
-                1 => frame_imu / with_frame_imu "FRAME_IMU": bool,
-                /// Use as a reference to correct the sensor by, with all internal references off; else as its attitude.
-                2 => use_as_reference / with_use_as_reference "USE_AS_REFERENCE": bool,
-                /// Also translate from camera to frame or back, and use that as a reference. Wants known motor angles.
-                3 => translate / with_translate "TRANSLATE": bool,
-                /// Take the vertical only.
-                4 => z_only / with_z_only "Z_ONLY": bool,
-                /// Take the heading only.
-                5 => h_only / with_h_only "H_ONLY": bool,
-                /// Translate the vertical only. Firmware 2.69b5+.
-                6 => translate_z_only / with_translate_z_only "TRANSLATE_Z_ONLY": bool,
-                /// Translate the heading only. Firmware 2.69b5+.
-                7 => translate_h_only / with_translate_h_only "TRANSLATE_H_ONLY": bool,
-                $($(#[doc = $part_doc])+ $low $(..= $high)? => $part / $with $spec: $ty,)*
-            }
+        $(#[doc = $doc])+
+        #[bit_fields($integer)]
+        pub struct $name {
+            /// Whether an attitude is set; otherwise one is requested.
+            #[wire(bits = 0)]
+            pub set: bool,
+            /// Whether the sensor on the frame is meant; else the one on the camera platform.
+            #[wire(bits = 1)]
+            pub frame_imu: bool,
+            /// Use as a reference to correct the sensor by, with all internal references off; else as its attitude.
+            #[wire(bits = 2)]
+            pub use_as_reference: bool,
+            /// Also translate from camera to frame or back, and use that as a reference. Wants known motor angles.
+            #[wire(bits = 3)]
+            pub translate: bool,
+            /// Take the vertical only.
+            #[wire(bits = 4)]
+            pub z_only: bool,
+            /// Take the heading only.
+            #[wire(bits = 5)]
+            pub h_only: bool,
+            /// Translate the vertical only.
+            #[wire(bits = 6, since = "2.69b5")]
+            pub translate_z_only: bool,
+            /// Translate the heading only.
+            #[wire(bits = 7, since = "2.69b5")]
+            pub translate_h_only: bool,
+            $($(#[$part_attribute])+ pub $part: $ty,)*
         }
 
         impl $name {
@@ -140,10 +146,12 @@ modes! {
     /// assert_eq!(mode, AhrsHelperMode(0b10_0101));
     /// ```
     AhrsHelperMode: u16 {
-        /// Location of the attitude source. Firmware 2.69b5+.
-        8..=9 => location / with_location "LOCATION": AhrsHelperLocation,
-        /// Do not correct by the internal sensors. Firmware 2.70b1+.
-        10 => disable_internal_correction / with_disable_internal_correction "DISABLE_INTERNAL_CORRECTION": bool,
+        /// Location of the attitude source.
+        #[wire(bits = 8..=9, since = "2.69b5")]
+        pub location: AhrsHelperLocation,
+        /// Do not correct by the internal sensors.
+        #[wire(bits = 10, since = "2.70b1")]
+        pub disable_internal_correction: bool,
     }
     /// Use of an attitude, in one byte. Spec: `AHRS_HELPER_MODE`.
     ///
@@ -167,4 +175,3 @@ pub enum AhrsHelperLocation {
     /// Below the outer motor.
     BelowOuterMotor = 2,
 }
-bit_enums!(AhrsHelperLocation);

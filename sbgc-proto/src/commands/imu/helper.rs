@@ -1,8 +1,7 @@
 //! Motion of the frame, which helps the board to estimate attitude.
 
-use sbgc_proto_macros::{message, open_enum};
+use sbgc_proto_macros::{bit_fields, message, open_enum};
 
-use crate::declare::{bit_enums, bit_fields};
 use crate::units::{Acceleration, Angle, FrameHeading, SensorRate};
 use crate::wire::{PerXyz, Reserved};
 
@@ -49,16 +48,18 @@ pub struct HelperDataLegacy {
     pub frame_angle_pitch: Angle,
 }
 
-bit_fields! {
-    /// Interpretation of the frame motion. Spec: `HELPER_DATA_FLAGS`.
-    pub struct HelperDataFlags: u8 {
-        /// System of coordinates of the vectors.
-        0..=2 => coord_sys / with_coord_sys "HELPER_COORD_SYS": HelperCoordSys,
-        /// Angles are Euler angles in the order roll, pitch, yaw. Firmware 2.70b7+.
-        6 => euler_order_roll_pitch_yaw / with_euler_order_roll_pitch_yaw "EULER_ORDER_ROLL_PITCH_YAW": bool,
-        /// The heading is to be used. Firmware 2.62b7+.
-        7 => use_frame_heading / with_use_frame_heading "USE_FRAME_HEADING": bool,
-    }
+/// Interpretation of the frame motion. Spec: `HELPER_DATA_FLAGS`.
+#[bit_fields(u8)]
+pub struct HelperDataFlags {
+    /// System of coordinates of the vectors.
+    #[wire(bits = 0..=2, spec = "HELPER_COORD_SYS")]
+    pub coord_sys: HelperCoordSys,
+    /// Angles are Euler angles in the order roll, pitch, yaw.
+    #[wire(bits = 6, since = "2.70b7")]
+    pub euler_order_roll_pitch_yaw: bool,
+    /// The heading is to be used.
+    #[wire(bits = 7, since = "2.62b7")]
+    pub use_frame_heading: bool,
 }
 
 /// A system of coordinates for motion of the frame. Spec: `HELPER_COORD_SYS`.
@@ -75,4 +76,3 @@ pub enum HelperCoordSys {
     /// Needs a sensor on the frame and an encoder on yaw in regular firmware, three encoders in the one for encoders.
     Frame = 3,
 }
-bit_enums!(HelperCoordSys);

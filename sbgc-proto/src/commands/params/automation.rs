@@ -1,35 +1,39 @@
 //! Values of what the board does by itself: actions at start, snapping to positions, step signals, stabilized axes.
 
-use sbgc_proto_macros::open_enum;
+use sbgc_proto_macros::{bit_fields, open_enum};
 
 use super::{MenuCommand, SerialSpeed};
 use crate::commands::TriggerPinId;
-use crate::declare::{bit_enums, bit_fields};
 
-bit_fields! {
-    /// An action that is started by a signal when the board starts.
-    pub struct StartupAction: u8 {
-        /// Action to perform.
-        0..=6 => action / with_action "ACTION": MenuCommand,
-        /// Whether the menu button must be pressed for it.
-        7 => button_pressed / with_button_pressed "MENU_BUTTON_PRESSED": bool,
-    }
+/// An action that is started by a signal when the board starts.
+#[bit_fields(u8)]
+pub struct StartupAction {
+    /// Action to perform.
+    #[wire(bits = 0..=6)]
+    pub action: MenuCommand,
+    /// Whether the menu button must be pressed for it.
+    #[wire(bits = 7, spec = "MENU_BUTTON_PRESSED")]
+    pub button_pressed: bool,
 }
 
-bit_fields! {
-    /// Fixed positions of an axis.
-    pub struct ForcePosition: u8 {
-        /// The angle between two positions.
-        0..=2 => snap / with_snap "SNAP": SnapAngle,
-        /// Whether a press of the button starts it.
-        4 => on_button_press / with_on_button_press "FORCE_POSITION_FLAG_BUTTON_PRESS": bool,
-        /// Whether it is done at start.
-        5 => on_startup / with_on_startup "FORCE_POSITION_FLAG_STARTUP": bool,
-        /// Whether it goes beyond the soft limits.
-        6 => ignores_limits / with_ignores_limits "FORCE_POSITION_FLAG_IGNORE_LIMITS": bool,
-        /// Whether the position is adjusted finely afterwards.
-        7 => fine_adjust / with_fine_adjust "FORCE_POSITION_FLAG_FINE_ADJUST": bool,
-    }
+/// Fixed positions of an axis.
+#[bit_fields(u8)]
+pub struct ForcePosition {
+    /// The angle between two positions.
+    #[wire(bits = 0..=2)]
+    pub snap: SnapAngle,
+    /// Whether a press of the button starts it.
+    #[wire(bits = 4, spec = "FORCE_POSITION_FLAG_BUTTON_PRESS")]
+    pub on_button_press: bool,
+    /// Whether it is done at start.
+    #[wire(bits = 5, spec = "FORCE_POSITION_FLAG_STARTUP")]
+    pub on_startup: bool,
+    /// Whether it goes beyond the soft limits.
+    #[wire(bits = 6, spec = "FORCE_POSITION_FLAG_IGNORE_LIMITS")]
+    pub ignores_limits: bool,
+    /// Whether the position is adjusted finely afterwards.
+    #[wire(bits = 7, spec = "FORCE_POSITION_FLAG_FINE_ADJUST")]
+    pub fine_adjust: bool,
 }
 
 /// The angle between two fixed positions. Spec: `FORCE_POSITION_SNAP`.
@@ -50,20 +54,22 @@ pub enum SnapAngle {
     #[wire(spec = "SNAP_180")]
     Degrees180 = 3,
 }
-bit_enums!(SnapAngle);
 
-bit_fields! {
-    /// Step signal: button presses converted to a signal of several steps.
-    pub struct StepSignalConfig: u8 {
-        /// The number of steps.
-        0..=2 => steps / with_steps "STEPS": StepCount,
-        /// Whether the menu button must be pressed.
-        3 => button_pressed / with_button_pressed "MENU_BUTTON_PRESSED": bool,
-        /// Whether the signal begins with zero.
-        5 => starts_at_zero / with_starts_at_zero "INITIAL_VALUE_ZERO": bool,
-        /// Change of the source that counts as a step.
-        6..=7 => mode / with_mode "MODE": StepSignalMode,
-    }
+/// Step signal: button presses converted to a signal of several steps.
+#[bit_fields(u8)]
+pub struct StepSignalConfig {
+    /// The number of steps.
+    #[wire(bits = 0..=2)]
+    pub steps: StepCount,
+    /// Whether the menu button must be pressed.
+    #[wire(bits = 3, spec = "MENU_BUTTON_PRESSED")]
+    pub button_pressed: bool,
+    /// Whether the signal begins with zero.
+    #[wire(bits = 5, spec = "INITIAL_VALUE_ZERO")]
+    pub starts_at_zero: bool,
+    /// Change of the source that counts as a step.
+    #[wire(bits = 6..=7)]
+    pub mode: StepSignalMode,
 }
 
 /// The number of steps of a step signal. Spec: `STEP_SIGNAL_STEPS`.
@@ -96,7 +102,6 @@ pub enum StepCount {
     #[wire(spec = "STEPS_100")]
     Steps100 = 7,
 }
-bit_enums!(StepCount);
 
 /// Change of the source that counts as a step. Spec: `STEP_SIGNAL_MODE`.
 #[open_enum(u8, prefix = "MODE_LEVEL_")]
@@ -108,20 +113,22 @@ pub enum StepSignalMode {
     /// Rising and falling.
     LowHigh = 2,
 }
-bit_enums!(StepSignalMode);
 
-bit_fields! {
-    /// Euler axis stabilized by a motor.
-    pub struct StabilizedAxis: u8 {
-        /// The axis that it is assigned to.
-        0..=1 => axis / with_axis "STAB_AXIS": StabAxis,
-        /// Whether ROLL may be chosen when it matches best.
-        2 => auto_roll / with_auto_roll "AUTO_ROLL": bool,
-        /// Whether PITCH may be chosen when it matches best.
-        3 => auto_pitch / with_auto_pitch "AUTO_PITCH": bool,
-        /// Whether YAW may be chosen when it matches best.
-        4 => auto_yaw / with_auto_yaw "AUTO_YAW": bool,
-    }
+/// Euler axis stabilized by a motor.
+#[bit_fields(u8)]
+pub struct StabilizedAxis {
+    /// The axis that it is assigned to.
+    #[wire(bits = 0..=1, spec = "STAB_AXIS")]
+    pub axis: StabAxis,
+    /// Whether ROLL may be chosen when it matches best.
+    #[wire(bits = 2)]
+    pub auto_roll: bool,
+    /// Whether PITCH may be chosen when it matches best.
+    #[wire(bits = 3)]
+    pub auto_pitch: bool,
+    /// Whether YAW may be chosen when it matches best.
+    #[wire(bits = 4)]
+    pub auto_yaw: bool,
 }
 
 /// The Euler axis that a motor is assigned to. Spec: `STAB_AXIS`.
@@ -136,22 +143,25 @@ pub enum StabAxis {
     /// YAW.
     Yaw = 3,
 }
-bit_enums!(StabAxis);
 
-bit_fields! {
-    /// Options of a MavLink channel.
-    pub struct MavConfig: u8 {
-        /// Speed of the port.
-        0..=2 => baud / with_baud "FLAG_BAUD_MASK": SerialSpeed,
-        /// Whether bytes have even parity.
-        3 => parity_even / with_parity_even "FLAG_PARITY_EVEN": bool,
-        /// Whether heartbeats are sent.
-        4 => heartbeat / with_heartbeat "FLAG_HEARTBEAT": bool,
-        /// Whether the vendor's program gets debug messages.
-        5 => debug / with_debug "FLAG_DEBUG": bool,
-        /// Whether the values of remote control are used.
-        6 => rc / with_rc "FLAG_RC": bool,
-    }
+/// Options of a MavLink channel.
+#[bit_fields(u8)]
+pub struct MavConfig {
+    /// Speed of the port.
+    #[wire(bits = 0..=2, spec = "FLAG_BAUD_MASK")]
+    pub baud: SerialSpeed,
+    /// Whether bytes have even parity.
+    #[wire(bits = 3, spec = "FLAG_PARITY_EVEN")]
+    pub parity_even: bool,
+    /// Whether heartbeats are sent.
+    #[wire(bits = 4, spec = "FLAG_HEARTBEAT")]
+    pub heartbeat: bool,
+    /// Whether the vendor's program gets debug messages.
+    #[wire(bits = 5, spec = "FLAG_DEBUG")]
+    pub debug: bool,
+    /// Whether the values of remote control are used.
+    #[wire(bits = 6, spec = "FLAG_RC")]
+    pub rc: bool,
 }
 
 /// A port to which another device is connected. Spec: `MAV_SRC`, `EXT_IMU_PORT`.
@@ -183,16 +193,18 @@ pub enum MavControlMode {
     AllAxes = 2,
 }
 
-bit_fields! {
-    /// Interrupt condition of a pin, and the pin.
-    ///
-    /// The pin has five bits: the buzzer and the power of the Spektrum connector cannot be expressed.
-    pub struct InterruptConfig: u16 {
-        /// The pin; 0 is none.
-        0..=4 => pin / with_pin "PIN": TriggerPinId,
-        /// Whether an emergency stop signals.
-        5 => on_emergency_stop / with_on_emergency_stop "ON_EMERGENCY_STOP": bool,
-        /// Whether reaching the parking position signals.
-        6 => on_parking_position / with_on_parking_position "ON_PARKING_POSITION": bool,
-    }
+/// Interrupt condition of a pin, and the pin.
+///
+/// The pin has five bits: the buzzer and the power of the Spektrum connector cannot be expressed.
+#[bit_fields(u16)]
+pub struct InterruptConfig {
+    /// The pin; 0 is none.
+    #[wire(bits = 0..=4)]
+    pub pin: TriggerPinId,
+    /// Whether an emergency stop signals.
+    #[wire(bits = 5)]
+    pub on_emergency_stop: bool,
+    /// Whether reaching the parking position signals.
+    #[wire(bits = 6)]
+    pub on_parking_position: bool,
 }

@@ -1,18 +1,19 @@
 //! Values of encoders.
 
-use crate::declare::{bit_enums, bit_fields};
-use sbgc_proto_macros::open_enum;
+use sbgc_proto_macros::{bit_fields, open_enum};
 
-bit_fields! {
-    /// Encoder type of an axis, and its options.
-    pub struct EncoderSelection: u8 {
-        /// Model and interface.
-        0..=3 => encoder_type / with_encoder_type "ENCODER_TYPE": EncoderType,
-        /// Whether the board assumes the sensor instead of detecting it.
-        4 => skip_detection / with_skip_detection "SKIP_DETECTION": bool,
-        /// Whether there are gears between it and the axis.
-        7 => geared / with_geared "ENCODER_IS_GEARED": bool,
-    }
+/// Encoder type of an axis, and its options.
+#[bit_fields(u8)]
+pub struct EncoderSelection {
+    /// Model and interface.
+    #[wire(bits = 0..=3)]
+    pub encoder_type: EncoderType,
+    /// Whether the board assumes the sensor instead of detecting it.
+    #[wire(bits = 4)]
+    pub skip_detection: bool,
+    /// Whether there are gears between it and the axis.
+    #[wire(bits = 7, spec = "ENCODER_IS_GEARED")]
+    pub geared: bool,
 }
 
 /// Model and interface of an encoder; 0 is none. Spec: `ENCODER_TYPE`.
@@ -61,7 +62,6 @@ pub enum EncoderType {
     /// RLS Orbis, pulse width. The specification prints the name without `ENC_`.
     RlsOrbisPwm = 15,
 }
-bit_enums!(EncoderType);
 
 /// Options for reading an encoder. Spec: `ENCODER_CFG`.
 ///

@@ -1,9 +1,8 @@
 //! Values of what is connected to the board: external IMUs and sensors, buttons, extended encoders.
 
-use sbgc_proto_macros::open_enum;
+use sbgc_proto_macros::{bit_fields, open_enum};
 
 use crate::commands::TriggerPinId;
-use crate::declare::{bit_enums, bit_fields};
 
 /// Model of an external IMU; 0 is none. Spec: `EXT_IMU_TYPE`.
 #[open_enum(u8)]
@@ -35,29 +34,32 @@ pub enum ExtImuPosition {
     MainImu = 9,
 }
 
-bit_fields! {
-    /// An extra button: its pin, and how it works. Newer firmware.
-    ///
-    /// The pin has five bits as the vendor's library reads them: the buzzer and the power of the Spektrum connector
-    /// cannot be expressed.
-    pub struct ExtraButton: u8 {
-        /// The pin; 0 is none.
-        0..=4 => pin / with_pin "PIN": TriggerPinId,
-        /// Whether it stays pressed until it is pressed again.
-        6 => latching / with_latching "LATCHING": bool,
-        /// Whether its level is inverted.
-        7 => inverted / with_inverted "INVERT": bool,
-    }
+/// An extra button: its pin, and how it works. Newer firmware.
+///
+/// The pin has five bits as the vendor's library reads them: the buzzer and the power of the Spektrum connector
+/// cannot be expressed.
+#[bit_fields(u8)]
+pub struct ExtraButton {
+    /// The pin; 0 is none.
+    #[wire(bits = 0..=4)]
+    pub pin: TriggerPinId,
+    /// Whether it stays pressed until it is pressed again.
+    #[wire(bits = 6)]
+    pub latching: bool,
+    /// Whether its level is inverted.
+    #[wire(bits = 7, spec = "INVERT")]
+    pub inverted: bool,
 }
 
-bit_fields! {
-    /// More on how an encoder is read. Newer firmware; bits 8 to 15 are not listed.
-    pub struct EncoderConfigExt: u16 {
-        /// Its resolution in bits, less 12.
-        0..=4 => resolution / with_resolution "RESOLUTION": u8,
-        /// Number of turns it counts.
-        5..=7 => multi_turn / with_multi_turn "MULTI_TURN": MultiTurn,
-    }
+/// More on how an encoder is read. Newer firmware; bits 8 to 15 are not listed.
+#[bit_fields(u16)]
+pub struct EncoderConfigExt {
+    /// Its resolution in bits, less 12.
+    #[wire(bits = 0..=4)]
+    pub resolution: u8,
+    /// Number of turns it counts.
+    #[wire(bits = 5..=7)]
+    pub multi_turn: MultiTurn,
 }
 
 /// Bits in which an encoder counts turns. The specification has no names for them.
@@ -79,7 +81,6 @@ pub enum MultiTurn {
     #[wire(spec = "24")]
     Bits24 = 4,
 }
-bit_enums!(MultiTurn);
 
 /// A sensor that is connected to the IMU on the CAN bus. Spec: `CAN_IMU_EXT_SENS_TYPE`. All are of newer firmware.
 #[open_enum(u8)]

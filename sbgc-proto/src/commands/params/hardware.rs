@@ -1,6 +1,6 @@
 //! Values of the board's hardware: motor outputs, ports, buses, the beeper.
 
-use crate::declare::{bit_enums, flags};
+use crate::declare::flags;
 use sbgc_proto_macros::open_enum;
 
 /// Switching frequency of the motor drivers. Spec: `PWM_FREQ`.
@@ -61,7 +61,6 @@ pub enum SerialSpeed {
     #[wire(spec = "256000")]
     Baud256000 = 5,
 }
-bit_enums!(SerialSpeed);
 
 impl SerialSpeed {
     /// Bits per second; `None` for an unknown speed.

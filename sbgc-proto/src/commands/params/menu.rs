@@ -1,6 +1,5 @@
 //! What menu commands do: the actions that buttons, signals and hosts can start.
 
-use crate::declare::bit_enums;
 use sbgc_proto_macros::open_enum;
 
 /// An action of the board, as in its menu. Spec: `MENU_CMD`.
@@ -181,4 +180,3 @@ pub enum MenuCommand {
     /// Switches servo mode on or off. Newer firmware.
     ServoModeToggle = 81,
 }
-bit_enums!(MenuCommand);

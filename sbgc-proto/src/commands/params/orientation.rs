@@ -1,7 +1,6 @@
 //! Values of orientation: how sensors are mounted, in which order axes turn.
 
-use crate::declare::{bit_enums, bit_fields};
-use sbgc_proto_macros::open_enum;
+use sbgc_proto_macros::{bit_fields, open_enum};
 
 /// An axis of a sensor with its sign. Spec: `AXIS_ORIENTATION`.
 #[open_enum(i8)]
@@ -49,16 +48,18 @@ pub enum OrderOfAxes {
     RollPitchYaw = 3,
 }
 
-bit_fields! {
-    /// In which Euler angles attitudes are expressed, and what goes by them.
-    pub struct EulerConvention: u8 {
-        /// The order of rotations.
-        0..=3 => order / with_order "EULER_ORDER": EulerOrder,
-        /// Whether control goes about the camera's own axes. Newer firmware.
-        4 => local_control / with_local_control "CONTROL_LOCAL_XYZ": bool,
-        /// Whether stabilization and control go about the camera's own axes. Firmware 2.74+.
-        5 => local_stabilization / with_local_stabilization "STABILIZATION_LOCAL_XYZ": bool,
-    }
+/// In which Euler angles attitudes are expressed, and what goes by them.
+#[bit_fields(u8)]
+pub struct EulerConvention {
+    /// The order of rotations.
+    #[wire(bits = 0..=3, spec = "EULER_ORDER")]
+    pub order: EulerOrder,
+    /// Whether control goes about the camera's own axes. Newer firmware.
+    #[wire(bits = 4, spec = "CONTROL_LOCAL_XYZ")]
+    pub local_control: bool,
+    /// Whether stabilization and control go about the camera's own axes.
+    #[wire(bits = 5, spec = "STABILIZATION_LOCAL_XYZ", since = "2.74")]
+    pub local_stabilization: bool,
 }
 
 /// The order of rotations of Euler angles. Spec: `EULER_ORDER`.
@@ -86,4 +87,3 @@ pub enum EulerOrder {
     /// YAW, PITCH, ROLL. Newer firmware does not list it.
     YawPitchRoll = 5,
 }
-bit_enums!(EulerOrder);

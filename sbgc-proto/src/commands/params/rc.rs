@@ -1,16 +1,16 @@
 //! Values of remote control: what inputs read, what signals mean, how they are mixed.
 
-use crate::declare::{bit_enums, bit_fields};
-use sbgc_proto_macros::open_enum;
+use sbgc_proto_macros::{bit_fields, open_enum};
 
-bit_fields! {
-    /// Options for reading the control signal of an axis.
-    pub struct RcAxisMode: u8 {
-        /// Meaning of the signal.
-        0..=2 => mode / with_mode "RC_MODE": RcMode,
-        /// Whether control is inverted.
-        3 => inverted / with_inverted "INVERTED": bool,
-    }
+/// Options for reading the control signal of an axis.
+#[bit_fields(u8)]
+pub struct RcAxisMode {
+    /// Meaning of the signal.
+    #[wire(bits = 0..=2, spec = "RC_MODE")]
+    pub mode: RcMode,
+    /// Whether control is inverted.
+    #[wire(bits = 3)]
+    pub inverted: bool,
 }
 
 /// Meaning of a control signal. Spec: `RC_MODE`.
@@ -24,7 +24,6 @@ pub enum RcMode {
     #[wire(since = "2.69b3")]
     Tracking = 2,
 }
-bit_enums!(RcMode);
 
 /// Input mode of the RC_ROLL pin. Spec: `RC_VIRT_MODE`.
 #[open_enum(u8, prefix = "RC_VIRT_MODE_")]
@@ -41,16 +40,17 @@ pub enum RcVirtMode {
     Api = 10,
 }
 
-bit_fields! {
-    /// Mixing of a flight controller signal into a control signal.
-    ///
-    /// The split into 6 and 2 bits is that of newer documents; copies of the older specification break off there.
-    pub struct FcMix: u8 {
-        /// Amount, 0 to 63.
-        0..=5 => rate / with_rate "RATE": u8,
-        /// Into which control signal.
-        6..=7 => target / with_target "TARGET": FcMixTarget,
-    }
+/// Mixing of a flight controller signal into a control signal.
+///
+/// The split into 6 and 2 bits is that of newer documents; copies of the older specification break off there.
+#[bit_fields(u8)]
+pub struct FcMix {
+    /// Amount, 0 to 63.
+    #[wire(bits = 0..=5)]
+    pub rate: u8,
+    /// Into which control signal.
+    #[wire(bits = 6..=7)]
+    pub target: FcMixTarget,
 }
 
 /// The control signal into which the flight controller's is mixed. Spec: `RC_MIX_FC_TARGET`.
@@ -65,7 +65,6 @@ pub enum FcMixTarget {
     /// That of YAW.
     Yaw = 3,
 }
-bit_enums!(FcMixTarget);
 
 /// Protocol of a Spektrum receiver: generation, time of a frame, resolution. Spec: `SPEKTRUM_MODE`.
 #[open_enum(u8)]

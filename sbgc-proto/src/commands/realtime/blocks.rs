@@ -1,9 +1,9 @@
 //! Groups of values that stand in chosen real-time data.
 
-use sbgc_proto_macros::{open_enum, record};
+use sbgc_proto_macros::{bit_fields, open_enum, record};
 
 use super::{CalibMode, CanErrFlags, MotorFlags, PowerState, SystemPowerFlags, SystemStateFlags};
-use crate::declare::{bit_enums, bit_fields};
+
 use crate::units::{Angle, AttitudeError, LimitDistance, SensorRate, Voltage};
 use crate::wire::{Float, PerAxis, Reserved};
 
@@ -50,18 +50,21 @@ pub struct AhrsDebugInfo {
     pub reserved: Reserved<13>,
 }
 
-bit_fields! {
-    /// Reference source of an IMU.
-    pub struct ImuRefSrc: u8 {
-        /// Reference of the attitude.
-        0..=2 => attitude / with_attitude "ATTITUDE_REF": AhrsRefSrc,
-        /// Reference of the heading.
-        3..=5 => heading / with_heading "HEADING_REF": AhrsRefSrc,
-        /// The internal sensor is connected and used; otherwise the attitude comes from outside.
-        6 => internal_sensor / with_internal_sensor "INTERNAL_SENSOR": bool,
-        /// This IMU is being processed.
-        7 => enabled / with_enabled "ENABLED": bool,
-    }
+/// Reference source of an IMU.
+#[bit_fields(u8)]
+pub struct ImuRefSrc {
+    /// Reference of the attitude.
+    #[wire(bits = 0..=2, spec = "ATTITUDE_REF")]
+    pub attitude: AhrsRefSrc,
+    /// Reference of the heading.
+    #[wire(bits = 3..=5, spec = "HEADING_REF")]
+    pub heading: AhrsRefSrc,
+    /// The internal sensor is connected and used; otherwise the attitude comes from outside.
+    #[wire(bits = 6)]
+    pub internal_sensor: bool,
+    /// This IMU is being processed.
+    #[wire(bits = 7)]
+    pub enabled: bool,
 }
 
 /// Source of an attitude or heading reference. Spec: `AHRS_REF_SRC`.
@@ -76,18 +79,19 @@ pub enum AhrsRefSrc {
     /// Translated from the other IMU through the joints.
     Translate = 3,
 }
-bit_enums!(AhrsRefSrc, ExtImuStatus);
 
-bit_fields! {
-    /// State of the external IMU.
-    pub struct ExtImuState: u8 {
-        /// Status of the external IMU.
-        0..=2 => status / with_status "EXT_IMU_STATUS": ExtImuStatus,
-        /// Its magnetometer is disturbed.
-        6 => bad_mag / with_bad_mag "STATUS_FLAG_BAD_MAG": bool,
-        /// It has no satellites.
-        7 => no_gps_signal / with_no_gps_signal "STATUS_FLAG_NO_GPS_SIGNAL": bool,
-    }
+/// State of the external IMU.
+#[bit_fields(u8)]
+pub struct ExtImuState {
+    /// Status of the external IMU.
+    #[wire(bits = 0..=2, spec = "EXT_IMU_STATUS")]
+    pub status: ExtImuStatus,
+    /// Its magnetometer is disturbed.
+    #[wire(bits = 6, spec = "STATUS_FLAG_BAD_MAG")]
+    pub bad_mag: bool,
+    /// It has no satellites.
+    #[wire(bits = 7, spec = "STATUS_FLAG_NO_GPS_SIGNAL")]
+    pub no_gps_signal: bool,
 }
 
 /// Status of the external IMU; from `Bad` on it grades its attitude. Spec: `EXT_IMU_STATUS`.

@@ -20,8 +20,10 @@ use crate::wire::{Float, PerAxis, PerXyz, Reserved};
 ///
 /// The board answers with [`RealtimeDataCustom`], which does not identify its fields: decode it with the requested
 /// flags, as [`decode_answer`](crate::Request::decode_answer) does.
-#[message(CMD_REALTIME_DATA_CUSTOM, outgoing, size = 10, since = "2.60", answer = RealtimeDataCustom, given = self.flags,
-    echo = flags(flags))]
+#[message(
+    CMD_REALTIME_DATA_CUSTOM, outgoing, size = 10, since = "2.60", answer = RealtimeDataCustom, given = self.flags,
+    answer_len = self.flags.payload_len(), echo = flags(flags)
+)]
 #[derive(Copy)]
 pub struct RealtimeDataCustomRequest {
     /// Flags that select the fields of the answer, which must fit a payload: see

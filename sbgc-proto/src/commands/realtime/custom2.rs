@@ -14,7 +14,7 @@ use crate::wire::{PerAxis, PerXyz, Reserved};
 /// flags, as [`decode_answer`](crate::Request::decode_answer) does.
 #[message(
     CMD_REALTIME_DATA_CUSTOM2, outgoing, size = 10, since = "2.74.2", answer = RealtimeDataCustom2, given = self.flags,
-    echo = flags(flags)
+    answer_len = self.flags.payload_len(), echo = flags(flags)
 )]
 #[derive(Copy)]
 pub struct RealtimeDataCustom2Request {

@@ -1,9 +1,9 @@
 //! The internal file system: scripts, calibrations, look-up tables, profile sets.
 
-use sbgc_proto_macros::{message, open_enum};
+use sbgc_proto_macros::{bit_fields, message, open_enum};
 
 use crate::commands::{Confirm, FsErrorCode};
-use crate::declare::{bit_enums, bit_fields};
+
 use crate::units::PageOffset;
 use crate::wire::Reserved;
 
@@ -86,23 +86,24 @@ pub struct WriteFileDelete {
 #[message(CMD_FS_CLEAR_ALL, outgoing, size = 0, answer = Confirm, slow)]
 pub struct FsClearAll;
 
-bit_fields! {
-    /// File id: its type, and a number among files of that type.
-    ///
-    /// ```
-    /// use sbgc_proto::commands::{FileId, FileType};
-    ///
-    /// let script = FileId::new(FileType::Script, 2);
-    /// assert_eq!(script, FileId(0x0201));
-    /// assert_eq!(script.file_type(), FileType::Script);
-    /// ```
-    pub struct FileId: u16 {
-        /// Type of the file: the first byte on the wire.
-        0..=7 => file_type / with_file_type "FILE_TYPE": FileType,
-        /// Number among files of its type, for a script the slot. The specification only states that it depends
-        /// on the type.
-        8..=15 => number / with_number "NUMBER": u8,
-    }
+/// File id: its type, and a number among files of that type.
+///
+/// ```
+/// use sbgc_proto::commands::{FileId, FileType};
+///
+/// let script = FileId::new(FileType::Script, 2);
+/// assert_eq!(script, FileId(0x0201));
+/// assert_eq!(script.file_type(), FileType::Script);
+/// ```
+#[bit_fields(u16)]
+pub struct FileId {
+    /// Type of the file: the first byte on the wire.
+    #[wire(bits = 0..=7)]
+    pub file_type: FileType,
+    /// Number among files of its type, for a script the slot. The specification only states that it depends
+    /// on the type.
+    #[wire(bits = 8..=15)]
+    pub number: u8,
 }
 
 impl FileId {
@@ -133,4 +134,3 @@ pub enum FileType {
     #[wire(spec = "FILE_TYPE_CANDRV")]
     CanDrv = 10,
 }
-bit_enums!(FileType);

@@ -1,10 +1,10 @@
 //! Listening to what goes over the other ports.
 
-use sbgc_proto_macros::{message, open_enum};
+use sbgc_proto_macros::{bit_fields, message, open_enum};
 
 use crate::CommandId;
 use crate::commands::Confirm;
-use crate::declare::{bit_fields, flags};
+use crate::declare::flags;
 use crate::wire::Reserved;
 
 /// Has the board send a copy of what goes over its other ports, or stop that.
@@ -37,14 +37,15 @@ pub struct SetDebugPort<'a> {
     pub payload: &'a [u8],
 }
 
-bit_fields! {
-    /// A port, and which way a message went over it.
-    pub struct PortAndDirection: u8 {
-        /// Number of the port.
-        0..=6 => port / with_port "PORT": u8,
-        /// Direction. Which direction 1 means is unknown.
-        7 => direction / with_direction "DIR": bool,
-    }
+/// A port, and which way a message went over it.
+#[bit_fields(u8)]
+pub struct PortAndDirection {
+    /// Number of the port.
+    #[wire(bits = 0..=6)]
+    pub port: u8,
+    /// Direction. Which direction 1 means is unknown.
+    #[wire(bits = 7, spec = "DIR")]
+    pub direction: bool,
 }
 
 /// Starts or stops the copy. Spec: `DEBUG_PORT_ACTION`.

@@ -1,7 +1,6 @@
 //! Serial ports of devices on the CAN bus.
 
-use crate::declare::{bit_enums, bit_fields};
-use sbgc_proto_macros::{message, open_enum};
+use sbgc_proto_macros::{bit_fields, message, open_enum};
 
 /// Sends bytes to a serial port of a device on the CAN bus.
 ///
@@ -25,25 +24,27 @@ pub struct TransparentSapi<'a> {
     pub data: &'a [u8],
 }
 
-bit_fields! {
-    /// A serial port of a device.
-    ///
-    /// | device | ports |
-    /// | --- | --- |
-    /// | the board itself | 0 UART1, 1 RC_SERIAL, 2 UART2, 3 USB |
-    /// | inertial measurement units | 0 UART1, 1 UART2 |
-    /// | split GPS receiver | 0 to 2 UART1 to UART3, 3 the receiver |
-    /// | serial hubs | 1 to 3 SERIAL1 to SERIAL3 |
-    /// | motor drivers | 0 UART2 |
-    pub struct SapiTarget: u8 {
-        /// The port; what the number means depends on the device.
-        0..=1 => port / with_port "PORT": u8,
-        /// The device. The vendor's libraries list numbers that stand in these bits for the board only; for the
-        /// others they take those of the published definitions, which are the ones here.
-        2..=5 => device / with_device "DEVICE": SapiDevice,
-        /// Whether to wait until the bytes can be sent; otherwise they are dropped when the port is busy.
-        6 => wait / with_wait "WAIT": bool,
-    }
+/// A serial port of a device.
+///
+/// | device | ports |
+/// | --- | --- |
+/// | the board itself | 0 UART1, 1 RC_SERIAL, 2 UART2, 3 USB |
+/// | inertial measurement units | 0 UART1, 1 UART2 |
+/// | split GPS receiver | 0 to 2 UART1 to UART3, 3 the receiver |
+/// | serial hubs | 1 to 3 SERIAL1 to SERIAL3 |
+/// | motor drivers | 0 UART2 |
+#[bit_fields(u8)]
+pub struct SapiTarget {
+    /// The port; what the number means depends on the device.
+    #[wire(bits = 0..=1)]
+    pub port: u8,
+    /// The device. The vendor's libraries list numbers that stand in these bits for the board only; for the
+    /// others they take those of the published definitions, which are the ones here.
+    #[wire(bits = 2..=5)]
+    pub device: SapiDevice,
+    /// Whether to wait until the bytes can be sent; otherwise they are dropped when the port is busy.
+    #[wire(bits = 6)]
+    pub wait: bool,
 }
 
 impl SapiTarget {
@@ -86,4 +87,3 @@ pub enum SapiDevice {
     #[wire(spec = "CAN_DRV4")]
     CanDrv4 = 11,
 }
-bit_enums!(SapiDevice);

@@ -1,9 +1,9 @@
 //! Automatic tuning of the PID loops, second version.
 
-use sbgc_proto_macros::{message, open_enum, record};
+use sbgc_proto_macros::{bit_fields, message, open_enum, record};
 
 use crate::commands::Confirm;
-use crate::declare::{bit_fields, flags};
+use crate::declare::flags;
 use crate::units::{GainMargin, TestAngle, TestFrequencyFrom, TestFrequencyTo};
 use crate::wire::{PerAxis, Reserved};
 
@@ -168,16 +168,18 @@ pub enum AutoPid2StartupCfg {
     TuneAll = 2,
 }
 
-bit_fields! {
-    /// Whether and what to tune on an axis. Spec: `AUTO_PID2_AXIS_FLAGS`.
-    pub struct AutoPid2AxisFlags: u8 {
-        /// The axis is tuned.
-        0 => enabled / with_enabled "ENABLED": bool,
-        /// Its low-pass filter is tuned too.
-        1 => tune_lpf / with_tune_lpf "TUNE_LPF": bool,
-        /// Number of notch filters to tune.
-        2..=3 => notch_num / with_notch_num "NOTCH_NUM": u8,
-    }
+/// Whether and what to tune on an axis. Spec: `AUTO_PID2_AXIS_FLAGS`.
+#[bit_fields(u8)]
+pub struct AutoPid2AxisFlags {
+    /// The axis is tuned.
+    #[wire(bits = 0)]
+    pub enabled: bool,
+    /// Its low-pass filter is tuned too.
+    #[wire(bits = 1)]
+    pub tune_lpf: bool,
+    /// Number of notch filters to tune.
+    #[wire(bits = 2..=3)]
+    pub notch_num: u8,
 }
 
 flags! {

@@ -144,8 +144,8 @@ fn describe(parameter: &Parameter, output: &mut Output) -> Result<(), Failure> {
     } else if !parameter.unit().is_empty() {
         facts.push(parameter.unit().to_owned());
     }
-    if !parameter.field.since.is_empty() {
-        facts.push(format!("firmware {}+", parameter.field.since));
+    if let Some(since) = parameter.field.since {
+        facts.push(format!("firmware {since}+"));
     }
     if parameter.is_state() {
         facts.push(String::from("set by the board, read-only"));

@@ -1,4 +1,4 @@
-//! What the board is: identity, versions, features.
+//! Board identity, versions and features.
 
 use sbgc_proto_macros::message;
 
@@ -10,7 +10,7 @@ use crate::wire::{Bytes, Reserved};
 #[message(CMD_BOARD_INFO, outgoing, form = "simple", default, size = 0, length = 0, answer = BoardInfo)]
 pub struct BoardInfoRequest;
 
-/// Requests board and firmware version, and configures the driver of the receiving port.
+/// Requests board and firmware version, and configures the driver of the port that receives the request.
 ///
 /// The board does not check the bytes after the first two.
 #[message(CMD_BOARD_INFO, outgoing, form = "extended", size = 2..=255, answer = BoardInfo, acts)]
@@ -32,31 +32,31 @@ impl<'a> BoardInfoExtendedRequest<'a> {
     }
 }
 
-/// Board and firmware version, state and features.
+/// Board and firmware version, firmware state and board features.
 #[message(CMD_BOARD_INFO, incoming, size = 18)]
 pub struct BoardInfo {
-    /// Version of the hardware.
+    /// Hardware version.
     pub board_ver: BoardVersion,
-    /// Version of the firmware.
+    /// Firmware version.
     pub firmware_ver: FirmwareVersion,
     /// Start-up progress and other firmware state flags.
     pub state_flags1: StateFlags1,
     /// Features of the board.
     pub board_features: BoardFeatures,
-    /// Connection of the board.
+    /// How the board is connected.
     pub connection_flag: ConnectionFlags,
     /// Id of a special build; otherwise unused.
     pub frw_extra_id: u32,
     /// Further features of the board. Newer firmware.
     pub board_features_ext: BoardFeaturesExt,
-    /// Model of the sensor of the main IMU, in newer firmware. The numbers are not published.
+    /// Sensor model of the main IMU. The numbers are not published. Newer firmware.
     pub main_imu_sens_model: u8,
-    /// Model of the sensor of the frame IMU, in newer firmware. The numbers are not published.
+    /// Sensor model of the frame IMU. The numbers are not published. Newer firmware.
     pub frame_imu_sens_model: u8,
-    /// Number of the build.
+    /// Build number.
     #[wire(since = "2.73")]
     pub build_number: u8,
-    /// Version of the firmware on which a special one is based. Newer firmware.
+    /// Version of the regular firmware on which special firmware is based. Newer firmware.
     pub base_frw_ver: FirmwareVersion,
 }
 
@@ -64,12 +64,12 @@ pub struct BoardInfo {
 #[message(CMD_BOARD_INFO_3, outgoing, size = 0, answer = BoardInfo3)]
 pub struct BoardInfo3Request;
 
-/// Further board information: ids, memory, scripts and profile sets.
+/// Further board information: device ids, memory sizes, script slots and profile sets.
 #[message(CMD_BOARD_INFO_3, incoming, size = 69)]
 pub struct BoardInfo3 {
-    /// Unique id of the controller in the licensing system.
+    /// Unique id of the controller, as used by the licensing system.
     pub device_id: Bytes<9>,
-    /// Unique id of the processor.
+    /// Unique id of the microcontroller.
     pub mcu_id: Bytes<12>,
     /// Size of the EEPROM, 32768 on most boards.
     #[wire(unit = "byte")]
@@ -89,14 +89,14 @@ pub struct BoardInfo3 {
     /// Size of the script in slot 5; 0 is an empty slot.
     #[wire(unit = "byte")]
     pub script_slot5_size: u16,
-    /// Profile sets that are not empty.
+    /// Profile sets that contain data.
     pub profile_set_slots: ProfileSetSlots,
-    /// Profile set in use.
+    /// Active profile set.
     #[wire(range = 1..=6)]
     pub profile_set_cur: u8,
     /// Size of the flash memory. Newer firmware.
     pub flash_size: FlashSize,
-    /// Calibration state of the IMUs, unpublished. Newer firmware.
+    /// Calibration state of the IMUs. The format is not published. Newer firmware.
     pub imu_calib_info: Bytes<2>,
     /// Size of the script in slot 6; 0 is an empty slot. Newer firmware.
     #[wire(unit = "byte")]
@@ -118,10 +118,10 @@ pub struct BoardInfo3 {
     /// Further features of the board.
     #[wire(since = "2.73")]
     pub board_features_ext2: BoardFeaturesExt2,
-    /// Maximum number of CAN drivers of main motors under the licence.
+    /// Maximum number of CAN drivers for main motors that the licence allows.
     #[wire(since = "2.72.3")]
     pub can_drv_main_limit: u8,
-    /// Maximum number of CAN drivers of auxiliary motors under the licence.
+    /// Maximum number of CAN drivers for auxiliary motors that the licence allows.
     #[wire(since = "2.72.3")]
     pub can_drv_aux_limit: u8,
     /// Total number of adjustable variables.
@@ -131,7 +131,7 @@ pub struct BoardInfo3 {
 }
 
 impl BoardInfo3 {
-    /// Sizes of the scripts in all ten slots, in bytes.
+    /// Sizes of the scripts in slots 1 to 10, in bytes.
     pub const fn script_slot_sizes(&self) -> [u16; 10] {
         [
             self.script_slot1_size,
@@ -155,53 +155,53 @@ flags! {
         const DEBUG_MODE = 1 << 0;
         /// The frame is upside down. Firmware 2.66+.
         const IS_FRAME_INVERTED = 1 << 1;
-        /// Basic sensors are ready, and the frame's inversion is applied. Firmware 2.66+.
+        /// Basic sensors are initialized, and frame inversion is applied. Firmware 2.66+.
         const INIT_STEP1_DONE = 1 << 2;
-        /// Radio control and adjustable variables are ready, and positioning begins. Firmware 2.66+.
+        /// RC inputs and adjustable variables are initialized; automatic positioning starts. Firmware 2.66+.
         const INIT_STEP2_DONE = 1 << 3;
-        /// Positioning and calibrations at the start are done. Firmware 2.66+.
+        /// Positioning and calibrations at start-up are complete. Firmware 2.66+.
         const STARTUP_AUTO_ROUTINE_DONE = 1 << 4;
-        /// Power management is on. Newer firmware.
+        /// Power management is enabled. Newer firmware.
         const POWER_MANAGER_ENABLED = 1 << 5;
     }
 }
 
 flags! {
-    /// Features of the board. Those above [`CURRENT_SENSOR`](Self::CURRENT_SENSOR) are reported by newer firmware.
+    /// Features of the board. Spec: `BOARD_FEATURE`.
     ///
-    /// Spec: `BOARD_FEATURE`.
+    /// Flags above [`CURRENT_SENSOR`](Self::CURRENT_SENSOR) are reported by newer firmware only.
     pub struct BoardFeatures: u16, prefix "BOARD_FEATURE_" {
-        /// It controls three axes.
+        /// Three-axis stabilization.
         const THREE_AXES "BOARD_FEATURE_3AXIS" = 1 << 0;
-        /// It measures the battery.
+        /// Battery monitoring.
         const BAT_MONITORING = 1 << 1;
-        /// It has encoders on the motors.
+        /// Motor encoders.
         const ENCODERS = 1 << 2;
-        /// It runs the Bode test.
+        /// Bode test.
         const BODE_TEST = 1 << 3;
-        /// It runs scripts.
+        /// User scripts.
         const SCRIPTING = 1 << 4;
-        /// It measures the current.
+        /// Current sensor.
         const CURRENT_SENSOR = 1 << 5;
-        /// It has a magnetometer.
+        /// Magnetometer.
         const MAG_SENSOR = 1 << 6;
-        /// Its axes can have the order of the Letus gimbal.
+        /// Supports the axis order of the Letus gimbal.
         const ORDER_OF_AXES_LETUS = 1 << 7;
-        /// The main IMU has its own EEPROM.
+        /// The main IMU has an EEPROM of its own.
         const IMU_EEPROM = 1 << 8;
-        /// The frame IMU has its own EEPROM.
+        /// The frame IMU has an EEPROM of its own.
         const FRAME_IMU_EEPROM = 1 << 9;
-        /// It has a CAN port.
+        /// CAN port.
         const CAN_PORT = 1 << 10;
-        /// It knows the moments of inertia.
+        /// Estimation of moments of inertia.
         const MOMENTUM = 1 << 11;
-        /// It corrects cogging.
+        /// Cogging correction.
         const COGGING_CORRECTION = 1 << 12;
-        /// It controls a fourth motor.
+        /// Control of a fourth motor.
         const MOTOR4_CONTROL = 1 << 13;
-        /// It calibrates the accelerometer by itself.
+        /// Automatic calibration of the accelerometer.
         const ACC_AUTO_CALIB = 1 << 14;
-        /// It has the larger flash memory.
+        /// Larger flash memory.
         const BIG_FLASH = 1 << 15;
     }
 }
@@ -209,19 +209,19 @@ flags! {
 flags! {
     /// Further features of the board. Newer firmware. Spec: `BOARD_FEATURE_EXT`.
     pub struct BoardFeaturesExt: u16 {
-        /// It takes an external IMU.
+        /// External IMU.
         const EXT_IMU = 1 << 0;
-        /// It keeps the state variables of `CMD_READ_STATE_VARS`.
+        /// State variables, see `CMD_READ_STATE_VARS`.
         const STATE_VARS = 1 << 2;
-        /// It manages power.
+        /// Power management.
         const POWER_MANAGEMENT = 1 << 3;
-        /// It has the advanced calibration of the gyroscope.
+        /// Advanced calibration of the gyroscope.
         const GYRO_ADVANCED_CALIB = 1 << 4;
-        /// It is a limited version.
+        /// Limited version of the board.
         const LIMITED_VERSION = 1 << 5;
-        /// The spec has only the name.
+        /// Undocumented; only the name is published.
         const REACTION = 1 << 6;
-        /// It has look-up tables for encoders.
+        /// Lookup tables for encoders.
         const ENCODER_LUT = 1 << 7;
     }
 }
@@ -229,23 +229,23 @@ flags! {
 flags! {
     /// Further features of the board. Spec: `BOARD_FEATURE_EXT2`.
     pub struct BoardFeaturesExt2: u32 {
-        /// It is a Plus version.
+        /// "Plus" version of the board.
         const PLUS_VER = 1 << 0;
-        /// It has the shake generator.
+        /// Shake generator.
         const SHAKE_GENERATOR = 1 << 1;
-        /// It controls auxiliary motors.
+        /// Control of auxiliary motors.
         const EXT_MOTORS = 1 << 2;
-        /// It takes attitudes as quaternions: `CMD_CONTROL_QUAT`.
+        /// Control by quaternion, see `CMD_CONTROL_QUAT`.
         const QUAT_CONTROL = 1 << 3;
-        /// It has a fourth analog input.
+        /// Fourth analog input.
         const ADC4 = 1 << 4;
     }
 }
 
 flags! {
-    /// Connection of the board. Spec: `CONNECTION_FLAG`.
+    /// How the board is connected. Spec: `CONNECTION_FLAG`.
     pub struct ConnectionFlags: u8, prefix "CONNECTION_" {
-        /// Over USB.
+        /// Connected over USB.
         const USB = 1 << 0;
     }
 }
@@ -253,15 +253,15 @@ flags! {
 flags! {
     /// Hardware options of the board. Spec: `HARDWARE_FLAGS`.
     pub struct HardwareFlags: u16 {
-        /// A one-wire chip for encryption.
+        /// One-wire encryption chip.
         const ONE_WIRE_CRYPTO_IC = 1 << 0;
     }
 }
 
 flags! {
-    /// Sets of profiles. Spec: `PROFILE_SET_SLOTS`.
+    /// Profile sets. Spec: `PROFILE_SET_SLOTS`.
     ///
-    /// One place of the spec has bit 2 for set 2; the sets take the bits 0 to 5 in order.
+    /// One passage of the specification assigns bit 2 to set 2; in fact the sets use bits 0 to 5 in order.
     pub struct ProfileSetSlots: u8, prefix "PROFILE_" {
         /// Set 1.
         const SET_1 = 1 << 0;
@@ -273,7 +273,7 @@ flags! {
         const SET_4 = 1 << 3;
         /// Set 5.
         const SET_5 = 1 << 4;
-        /// The backup.
+        /// Backup set.
         const BACKUP "PROFILE_SET_BACKUP" = 1 << 5;
     }
 }

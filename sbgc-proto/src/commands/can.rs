@@ -1,4 +1,6 @@
-//! Modules on the CAN bus: finding them, their versions, their firmware. Layouts are known from newer documents only.
+//! Modules on the CAN bus: discovery, versions and firmware updates.
+//!
+//! These layouts are published in newer documents only.
 
 use sbgc_proto_macros::{bit_fields, message, open_enum, record};
 
@@ -13,9 +15,9 @@ use crate::wire::{Bytes, List, Reserved};
 #[message(CMD_CAN_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan, acts, slow)]
 pub struct CanDeviceScanRequest;
 
-/// Scans for uDrv modules, locates their IMU and assigns ids.
+/// Scans the CAN bus for uDrv modules, locates their IMUs and assigns ids.
 ///
-/// It changes the roles of devices.
+/// This changes the roles of devices.
 ///
 /// Published in the vendor's Python library only.
 #[message(CMD_UDRV_DEVICE_SCAN, outgoing, size = 0, answer = CanDeviceScan, acts, slow)]
@@ -24,7 +26,7 @@ pub struct UdrvDeviceScan;
 /// Devices found on the CAN bus.
 #[message(CMD_CAN_DEVICE_SCAN, incoming, size = 0..=252)]
 pub struct CanDeviceScan {
-    /// Devices found; empty if none answered.
+    /// Devices found; empty if none responded.
     #[wire(group)]
     pub devices: List<CanDevice, 18>,
 }
@@ -74,7 +76,7 @@ pub enum CanDeviceId {
     ImuMain = 5,
     /// Frame IMU.
     ImuFrame = 6,
-    /// GPS_IMU as main IMU.
+    /// GPS_IMU used as the main IMU.
     #[wire(spec = "GPS_IMU_MAIN")]
     GpsImuMain = 7,
     /// Motor driver 1.
@@ -98,9 +100,9 @@ pub enum CanDeviceId {
     /// Motor driver 7.
     #[wire(spec = "CAN_DRV7")]
     Drv7 = 23,
-    /// Main IMU, of an older kind.
+    /// Main IMU, older type.
     ImuMainOld = 28,
-    /// Frame IMU, of an older kind.
+    /// Frame IMU, older type.
     ImuFrameOld = 29,
 }
 
@@ -110,7 +112,7 @@ pub enum CanDeviceId {
 #[message(CMD_MODULE_LIST, outgoing, size = 0, answer = ModuleList)]
 pub struct ModuleListRequest;
 
-/// The versions of the modules on the CAN bus.
+/// Versions of the modules on the CAN bus.
 #[message(CMD_MODULE_LIST, incoming, size = 1..=248)]
 pub struct ModuleList {
     /// Modules; entries with id 0 are unused.
@@ -124,18 +126,18 @@ pub struct ModuleList {
 pub struct CanModule {
     /// Module the command applies to.
     pub id: CanModuleId,
-    /// Version of its hardware.
+    /// Hardware version.
     pub board_ver: ModuleVersion,
-    /// Version of its bootloader.
+    /// Bootloader version.
     pub bootloader_ver: ModuleVersion,
-    /// Version of its firmware.
+    /// Firmware version.
     pub firmware_ver: ModuleVersion,
     pub reserved: Reserved<6>,
 }
 
-/// A module on the CAN bus, by its place in the list of modules. Spec: `CAN_MODULE_ID`.
+/// Module on the CAN bus, by its position in the list of modules. Spec: `CAN_MODULE_ID`.
 ///
-/// Ids up to 17 are accepted; those after 13 have no names.
+/// Ids up to 17 are valid; those above 13 have no published names.
 #[open_enum(u8, prefix = "CAN_")]
 pub enum CanModuleId {
     /// Main IMU.
@@ -166,7 +168,7 @@ pub enum CanModuleId {
     /// GPS_IMU.
     #[wire(spec = "GPS_IMU")]
     GpsImu = 10,
-    /// Hub with satellite navigation.
+    /// Hub with a satellite navigation receiver.
     HubGnss = 11,
     /// Hub 1.
     #[wire(spec = "CAN_HUB1")]
@@ -176,7 +178,7 @@ pub enum CanModuleId {
     Hub2 = 13,
 }
 
-/// Starts flashing a module.
+/// Starts a firmware update of a module.
 ///
 /// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_START, outgoing, size = 5, answer = Confirm)]
@@ -184,32 +186,31 @@ pub struct ModuleFlashStart {
     /// Module the command applies to.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
-    /// Size of the firmware in words of 32 bits.
+    /// Firmware size in 32-bit words.
     pub firmware_size: u32,
 }
 
-/// Writes a piece of module firmware.
+/// Writes one packet of module firmware.
 ///
-/// Published in the vendor's Python library only.
-///
-/// Wait for the confirmation of each piece. The data of an error holds the device and the packet, 2 bytes each.
+/// Wait for the confirmation of each packet before sending the next. The data of an error contains the device id and
+/// the packet number, 2 bytes each. Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_WRITE, outgoing, size = 14..=138, answer = Confirm)]
 pub struct ModuleFlashWrite<'a> {
     /// Module the command applies to.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
-    /// Number of the piece, from 0, wrapping after 255.
+    /// Packet number, counted from 0 and wrapping after 255.
     pub packet_id: u8,
-    /// Offset of the piece in the file, a multiple of 4.
+    /// Offset of the packet in the firmware file, a multiple of 4.
     #[wire(unit = "byte")]
     pub address: u32,
-    /// CRC-32 of the data, that of ISO-HDLC.
+    /// CRC-32/ISO-HDLC of the data.
     pub data_crc32: u32,
-    /// The piece: 4 to 128 bytes, a multiple of 4.
+    /// Packet data: 4 to 128 bytes, a multiple of 4.
     pub data: &'a [u8],
 }
 
-/// Ends flashing a module.
+/// Finishes a firmware update of a module.
 ///
 /// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_FINISH, outgoing, size = 5, answer = Confirm)]
@@ -217,7 +218,7 @@ pub struct ModuleFlashFinish {
     /// Module the command applies to.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
-    /// CRC-32 of the whole file, that of ISO-HDLC.
+    /// CRC-32/ISO-HDLC of the whole firmware file.
     pub file_crc32: u32,
 }
 

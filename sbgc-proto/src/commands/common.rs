@@ -1,8 +1,8 @@
-//! Values that several topics share.
+//! Types shared by several topics.
 
 use sbgc_proto_macros::{bit_fields, open_enum};
 
-/// Off or on. Spec: `NO_YES`.
+/// Boolean value. Spec: `NO_YES`.
 #[open_enum(u8)]
 pub enum Switch {
     /// Off, no.
@@ -16,30 +16,30 @@ pub enum Switch {
 /// Parameter profile. Spec: `PROFILE_ID`.
 #[open_enum(u8)]
 pub enum ProfileId {
-    /// The first.
+    /// Profile 1.
     #[wire(spec = "PROFILE_1")]
     Profile1 = 0,
-    /// The second.
+    /// Profile 2.
     #[wire(spec = "PROFILE_2")]
     Profile2 = 1,
-    /// The third.
+    /// Profile 3.
     #[wire(spec = "PROFILE_3")]
     Profile3 = 2,
-    /// The fourth.
+    /// Profile 4.
     #[wire(spec = "PROFILE_4")]
     Profile4 = 3,
-    /// The fifth.
+    /// Profile 5.
     #[wire(spec = "PROFILE_5")]
     Profile5 = 4,
-    /// Erases the whole EEPROM. Understood by `CMD_USE_DEFAULTS` only.
+    /// Erases the whole EEPROM. For `CMD_USE_DEFAULTS` only.
     EraseEeprom = 253,
-    /// Resets the active profile. Understood by `CMD_USE_DEFAULTS` only.
+    /// Resets the active profile. For `CMD_USE_DEFAULTS` only.
     ResetCurrent = 254,
     /// The active profile.
     Current = 255,
 }
 
-/// An axis of the gimbal. Spec: `BODE_TEST_AXIS`, `SYNC_MOTORS_AXIS`.
+/// Gimbal axis. Spec: `BODE_TEST_AXIS`, `SYNC_MOTORS_AXIS`.
 #[open_enum(u8)]
 pub enum Axis {
     /// Rotation about the optical axis.
@@ -50,9 +50,9 @@ pub enum Axis {
     Yaw = 2,
 }
 
-/// IMU, counted from 1. Spec: `IMU_TYPE`.
+/// IMU, numbered from 1. Spec: `IMU_TYPE`.
 ///
-/// A few commands count otherwise: see [`ImuIndex`](super::ImuIndex) and [`CalibImu`](super::CalibImu).
+/// A few commands use other numbers: see [`ImuIndex`](super::ImuIndex) and [`CalibImu`](super::CalibImu).
 #[open_enum(u8, prefix = "IMU_TYPE_")]
 pub enum ImuType {
     /// IMU on the camera platform.
@@ -71,13 +71,13 @@ pub enum ImuType {
 /// ```
 #[bit_fields(u8)]
 pub struct RcSource {
-    /// Number of the channel, from 1 on.
+    /// Channel number, counted from 1.
     #[wire(bits = 0..=4)]
     pub channel: u8,
     /// Kind of input.
     #[wire(bits = 5..=7, spec = "RC_MAP_TYPE")]
     pub kind: RcSourceKind,
-    /// From nowhere.
+    /// Not assigned.
     #[wire(value = 0)]
     pub NOT_ASSIGNED: Self,
     /// PWM input of the ROLL channel.
@@ -86,10 +86,10 @@ pub struct RcSource {
     /// PWM input of the PITCH channel.
     #[wire(value = 2)]
     pub RC_INPUT_PITCH: Self,
-    /// PWM input for the flight controller's ROLL.
+    /// PWM input for the ROLL signal of a flight controller.
     #[wire(value = 3)]
     pub EXT_FC_INPUT_ROLL: Self,
-    /// PWM input for the flight controller's PITCH.
+    /// PWM input for the PITCH signal of a flight controller.
     #[wire(value = 4)]
     pub EXT_FC_INPUT_PITCH: Self,
     /// PWM input of the YAW channel.
@@ -104,30 +104,30 @@ pub struct RcSource {
     /// Analog input 3.
     #[wire(value = 35)]
     pub ADC3: Self,
-    /// Analog input 4, on some boards of newer firmware.
+    /// Analog input 4; some boards only. Newer firmware.
     #[wire(value = 36)]
     pub ADC4: Self,
 }
 
 impl RcSource {
-    /// Channels 1 to 31 of a serial receiver (s-bus, Spektrum, Sum-PPM).
+    /// Base value for channels 1 to 31 of a serial receiver (s-bus, Spektrum, Sum-PPM): add the channel number.
     pub const RC_SERIAL_CH: Self = Self(64);
-    /// Virtual channels 1 to 31, set by `CMD_API_VIRT_CH_CONTROL`.
+    /// Base value for virtual channels 1 to 31, set by `CMD_API_VIRT_CH_CONTROL`: add the channel number.
     pub const API_VIRT_CH: Self = Self(128);
-    /// Step signals 1 to 6, firmware 2.66+.
+    /// Base value for step signals 1 to 6: add the signal number. Firmware 2.66+.
     pub const STEP_SIGNAL_CH: Self = Self(160);
 }
 
-/// Kind of input of a signal: bits 5 to 7 of a signal source.
+/// Kind of input: bits 5 to 7 of a signal source.
 #[open_enum(u8)]
 pub enum RcSourceKind {
-    /// PWM, channels 1 to 5; channel 0 means not assigned.
+    /// PWM inputs, channels 1 to 5. Channel 0 means not assigned.
     Pwm = 0,
-    /// Analog, channels 1 to 3, on some boards 4.
+    /// Analog inputs, channels 1 to 3, or 4 on some boards.
     Analog = 1,
-    /// A serial receiver, channels 1 to 31.
+    /// Channels 1 to 31 of a serial receiver.
     RcSerial = 2,
-    /// Virtual channels 1 to 31 that a host sets.
+    /// Virtual channels 1 to 31, set by a host.
     ApiVirt = 4,
     /// Step signals 1 to 6.
     #[wire(since = "2.66")]

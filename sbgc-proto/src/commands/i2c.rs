@@ -1,30 +1,30 @@
-//! Registers of devices on the board's I2C buses.
+//! Access to registers of devices on the board's I2C buses.
 
 use sbgc_proto_macros::{bit_fields, message, open_enum};
 
 use crate::commands::Confirm;
 
-/// Writes to a register of a device.
+/// Writes to a register of an I2C device.
 ///
-/// The board confirms when that succeeded.
+/// Confirmed once the write has succeeded.
 #[message(CMD_I2C_WRITE_REG_BUF, outgoing, size = 2..=255, answer = Confirm)]
 pub struct I2cWriteRegBuf<'a> {
     /// Target device.
     pub device_addr: I2cDevice,
-    /// The register to write.
+    /// Register to write.
     pub reg_addr: u8,
     /// Data to write. The vendor's library sends 1 to 240 bytes.
     pub data: &'a [u8],
 }
 
-/// Reads from a register of a device.
+/// Reads from a register of an I2C device.
 ///
-/// The board answers when that succeeded.
+/// Answered once the read has succeeded.
 #[message(CMD_I2C_READ_REG_BUF, outgoing, size = 3, answer = I2cReadRegBuf<'answer>)]
 pub struct I2cReadRegBufRequest {
     /// Target device.
     pub device_addr: I2cDevice,
-    /// The register to read.
+    /// Register to read.
     pub reg_addr: u8,
     /// Number of bytes to read.
     #[wire(unit = "byte", range = 1..=255)]
@@ -34,11 +34,11 @@ pub struct I2cReadRegBufRequest {
 /// Data read from a register of an I2C device.
 #[message(CMD_I2C_READ_REG_BUF, incoming, size = 1..=255)]
 pub struct I2cReadRegBuf<'a> {
-    /// Data, in the requested size.
+    /// Data, as many bytes as were requested.
     pub data: &'a [u8],
 }
 
-/// A device on one of the buses.
+/// Device on one of the I2C buses.
 ///
 /// ```
 /// use sbgc_proto::commands::{I2cDevice, I2cPort};
@@ -47,27 +47,27 @@ pub struct I2cReadRegBuf<'a> {
 /// ```
 #[bit_fields(u8)]
 pub struct I2cDevice {
-    /// The bus.
+    /// Bus that the device is connected to.
     #[wire(bits = 0)]
     pub port: I2cPort,
-    /// The device's address of seven bits.
+    /// 7-bit address of the device.
     #[wire(bits = 1..=7)]
     pub address: u8,
 }
 
 impl I2cDevice {
-    /// The device with this address of seven bits.
+    /// Creates a device from its bus and 7-bit address.
     pub fn new(port: I2cPort, address: u8) -> Self {
         Self(0).with_port(port).with_address(address)
     }
 }
 
-/// A bus.
+/// I2C bus.
 #[open_enum(u8)]
 pub enum I2cPort {
-    /// The external one, with the inertial measurement units.
+    /// External bus, which connects the IMUs.
     External = 0,
-    /// The internal one, with the EEPROM.
+    /// Internal bus, which connects the EEPROM.
     Internal = 1,
 }
 

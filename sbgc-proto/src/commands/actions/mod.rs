@@ -1,4 +1,4 @@
-//! Immediate actions: motors, menu, restart, pins, sounds, and signals that replace radio control.
+//! Immediate actions: motors, menu commands, restart, pins, sounds and virtual RC channels.
 
 mod channels;
 mod motors;

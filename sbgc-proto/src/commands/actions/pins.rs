@@ -1,4 +1,4 @@
-//! Pins and servo outputs.
+//! Output pins and servo outputs.
 
 use sbgc_proto_macros::{message, open_enum};
 
@@ -6,33 +6,34 @@ use crate::declare::flags;
 use crate::units::ServoTime;
 use crate::wire::List;
 
-/// Drives a pin.
+/// Sets the state of a pin.
 ///
-/// It is confirmed only if the pin has no other function and was really driven, so no answer is a normal result. For
-/// the states that are inputs, newer firmware confirms with the pin's id and its level, -1 where that is not available.
+/// Confirmed only if the pin has no other function and was actually driven, so the absence of an answer is a normal
+/// result. For input states, newer firmware confirms with the pin id and the level, or -1 if the level is not
+/// available.
 #[message(CMD_TRIGGER_PIN, outgoing, size = 2)]
 pub struct TriggerPin {
-    /// Pin to switch.
+    /// Pin to set.
     pub pin_id: TriggerPinId,
-    /// Action to perform on it.
+    /// State to set.
     pub state: TriggerPinState,
 }
 
-/// A pin that can be driven. Spec: `TRIGGER_PIN_ID`.
+/// Pin of the board or of a CAN module. Spec: `TRIGGER_PIN_ID`.
 ///
-/// A pin that is used as an input is not driven. Those of CAN modules belong to newer firmware; they are known from one
-/// source.
+/// A pin that is in use as an input is not driven. The pins of CAN modules are available in newer firmware and come
+/// from a single source.
 #[open_enum(u8)]
 pub enum TriggerPinId {
-    /// The input of the ROLL channel.
+    /// Input of the ROLL channel.
     RcInputRoll = 1,
-    /// The input of the PITCH channel.
+    /// Input of the PITCH channel.
     RcInputPitch = 2,
-    /// The input for the flight controller's ROLL.
+    /// Input for the ROLL signal of a flight controller.
     ExtFcInputRoll = 3,
-    /// The input for the flight controller's PITCH.
+    /// Input for the PITCH signal of a flight controller.
     ExtFcInputPitch = 4,
-    /// The input of the YAW channel.
+    /// Input of the YAW channel.
     RcInputYaw = 5,
     /// AUX1.
     #[wire(spec = "PIN_AUX1")]
@@ -43,10 +44,10 @@ pub enum TriggerPinId {
     /// AUX3.
     #[wire(spec = "PIN_AUX3")]
     Aux3 = 18,
-    /// The buzzer.
+    /// Buzzer.
     #[wire(spec = "PIN_BUZZER")]
     Buzzer = 32,
-    /// The 3.3 V supply of the Spektrum connector; low switches it on.
+    /// 3.3 V supply of the Spektrum connector; a low level turns it on.
     #[wire(spec = "PIN_SSAT_POWER")]
     SsatPower = 33,
     /// AUX1 of CAN driver 1.
@@ -126,51 +127,51 @@ pub enum TriggerPinId {
     CanImuFrameAux2 = 89,
 }
 
-/// State to give to a pin. Spec: `TRIGGER_PIN_STATE`.
+/// State of a pin. Spec: `TRIGGER_PIN_STATE`.
 #[open_enum(u8)]
 pub enum TriggerPinState {
-    /// Drives it to ground, up to 40 mA.
+    /// Output, driven to ground; up to 40 mA.
     Low = 0,
-    /// Drives it to 3.3 V, up to 40 mA.
+    /// Output, driven to 3.3 V; up to 40 mA.
     High = 1,
-    /// Lets it float.
+    /// Floating (high impedance).
     #[wire(since = "2.66")]
     Floating = 2,
-    /// Makes it an input with a resistor to 3.3 V.
+    /// Input with a pull-up resistor to 3.3 V.
     #[wire(since = "2.74.3")]
     PulledUp = 3,
-    /// Makes it an input with a resistor to ground.
+    /// Input with a pull-down resistor to ground.
     #[wire(since = "2.74.3")]
     PulledDown = 4,
 }
 
-/// Puts pulses on the servo outputs.
+/// Sets the pulse times of all servo outputs.
 ///
 /// Not confirmed.
 ///
-/// Not every board has eight outputs. Newer documents have four times (outputs `EXT_FC_ROLL`, `EXT_FC_PITCH`,
-/// `RC_PITCH`, `AUX1`) and 8 reserved bytes in the same 16: leave the last four at 0 or below for those boards.
+/// Not every board has eight outputs. Newer documents divide the same 16 bytes into four times (outputs `EXT_FC_ROLL`,
+/// `EXT_FC_PITCH`, `RC_PITCH`, `AUX1`) and 8 reserved bytes: set the last four times to 0 or below for those boards.
 #[message(CMD_SERVO_OUT, outgoing, size = 16)]
 pub struct ServoOut {
-    /// Pulse time of each output, which must be shorter than the period that the parameter `SERVO_RATE` sets.
+    /// Pulse time of each output. It must be shorter than the period set by the parameter `SERVO_RATE`.
     ///
-    /// Usual servos take 500 to 2500, 1500 in the middle, at a period of 20000 or less. Firmware 2.70b8+:, in the
-    /// mode of duty cycles, 1000 is 0 % and 2000 is 100 %.
+    /// Typical servos accept 500 to 2500 with 1500 as the center, at a period of 20000 or less. In duty cycle mode
+    /// (firmware 2.70b8+), 1000 is 0 % and 2000 is 100 %.
     #[wire(range = -1..=20000)]
     pub servo_time: [ServoTime; 8],
 }
 
-/// Puts pulses on chosen servo outputs, those of CAN drivers too.
+/// Sets the pulse times of selected servo outputs, including those of CAN drivers.
 ///
 /// Not confirmed.
 ///
-/// One of the vendor's libraries forgets to send the bits; this is the layout of the others. More outputs than the
-/// named ones are kept as they come.
+/// One of the vendor's libraries fails to send the bits; this is the layout of the others. Bits without a name are
+/// preserved.
 #[message(CMD_SERVO_OUT_EXT, outgoing, size = 4..=40, since = "2.73.2")]
 pub struct ServoOutExt {
     /// Outputs to set.
     pub servo_bits: ServoOutputs,
-    /// Pulse time of each of them, lowest bit first; as in [`ServoOut`].
+    /// Pulse time of each selected output, lowest bit first; see [`ServoOut`] for the values.
     #[wire(range = -1..=20000, count = servo_bits.count())]
     pub servo_time: List<ServoTime, 32>,
 }
@@ -178,13 +179,13 @@ pub struct ServoOutExt {
 flags! {
     /// Servo outputs. Spec: `SERVO_OUT_EXT_BITS`.
     pub struct ServoOutputs: u32 {
-        /// The pin `EXT_FC_ROLL`.
+        /// Pin `EXT_FC_ROLL`.
         const SERVO1 = 1 << 0;
-        /// The pin `EXT_FC_PITCH`.
+        /// Pin `EXT_FC_PITCH`.
         const SERVO2 = 1 << 1;
-        /// The pin `RC_PITCH`.
+        /// Pin `RC_PITCH`.
         const SERVO3 = 1 << 2;
-        /// The pin `AUX1`.
+        /// Pin `AUX1`.
         const SERVO4 = 1 << 3;
         /// Output 1 of CAN driver 1.
         const CAN_DRV1_SERVO1 = 1 << 4;
@@ -218,7 +219,7 @@ flags! {
 }
 
 impl ServoOutputs {
-    /// Number of outputs.
+    /// Number of selected outputs.
     pub const fn count(self) -> usize {
         // At most 32.
         self.bits().count_ones() as usize

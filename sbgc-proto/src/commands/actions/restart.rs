@@ -1,4 +1,4 @@
-//! Restarting the board into its firmware or bootloader, and bridging ports.
+//! Restart, bootloader, and bridging of serial ports.
 
 use sbgc_proto_macros::message;
 
@@ -11,15 +11,15 @@ use crate::declare::flags;
 #[message(CMD_RESET, outgoing, form = "simple", size = 0, length = 0)]
 pub struct ResetRequest;
 
-/// Restarts the board after a delay, with a notice before.
+/// Restarts the board after a delay, optionally with a notice.
 ///
-/// With [`ResetFlags::CONFIRM`] the board sends [`Reset`] first; it confirms nothing otherwise.
+/// With [`ResetFlags::CONFIRM`], the board sends [`Reset`] before it restarts; otherwise nothing is sent.
 #[message(CMD_RESET, outgoing, form = "extended", default, size = 3)]
 pub struct ResetExtendedRequest {
-    /// Whether a notice is sent, and what is kept.
+    /// Restart options.
     #[wire(spec = "CONFIRM")]
     pub flags: ResetFlags,
-    /// Time between the notice and the restart, for the host to close the port.
+    /// Time between the notice and the restart, which lets the host close the port.
     #[wire(unit = "ms")]
     pub delay_ms: u16,
 }
@@ -27,18 +27,18 @@ pub struct ResetExtendedRequest {
 flags! {
     /// Restart options. Spec: `RESET_FLAG`.
     ///
-    /// Older firmware takes the byte for a switch, with the same meaning of 0 and 1.
+    /// Older firmware interprets the byte as a boolean; 0 and 1 have the same effect there.
     pub struct ResetFlags: u8 {
-        /// Sends a notice first.
+        /// Sends [`Reset`] before the restart.
         const CONFIRM = 1 << 0;
         /// Restores the state after the restart. Newer firmware.
         const BACKUP_STATE = 1 << 1;
     }
 }
 
-/// The board is about to restart.
+/// Notice that the board is about to restart.
 ///
-/// It does so a second later, or after the delay of the [`ResetExtendedRequest`] that asked for it.
+/// The restart follows after one second, or after the delay of the [`ResetExtendedRequest`] that caused it.
 #[message(CMD_RESET, incoming, size = 0)]
 pub struct Reset;
 
@@ -50,25 +50,25 @@ pub struct Reset;
 #[message(CMD_BOOT_MODE_3, outgoing, form = "simple", size = 0, length = 0)]
 pub struct BootMode3;
 
-/// Enters the bootloader after a delay, with a notice before.
+/// Enters the bootloader after a delay, optionally with a notice.
 ///
-/// The spec has [`Reset`] as the notice; one of the vendor's libraries waits for a confirmation instead, another for
-/// nothing. Accept either, but do not rely on one.
+/// According to the specification the notice is [`Reset`]; one of the vendor's libraries waits for a confirmation
+/// instead, another for nothing. Accept either, but do not rely on them.
 #[message(CMD_BOOT_MODE_3, outgoing, form = "extended", default, size = 3)]
 pub struct BootMode3Extended {
     /// Whether a notice is sent.
     pub confirm: Switch,
-    /// Time between the notice and the bootloader, for the host to close the port.
+    /// Time between the notice and the start of the bootloader, which lets the host close the port.
     #[wire(unit = "ms")]
     pub delay_ms: u16,
 }
 
-/// Connects two serial ports of the board, which from then on carry anything and no longer this protocol.
+/// Connects two serial ports of the board transparently; they then no longer speak this protocol.
 ///
-/// Success is not answered, failure with `CMD_ERROR`. Published in the vendor's Python library only.
+/// Not confirmed on success; a failure is answered by `CMD_ERROR`. Published in the vendor's Python library only.
 #[message(CMD_SET_TRANSP_PROXY, outgoing, size = 2, since = "2.74.5")]
 pub struct SetTranspProxy {
-    /// First port: 0 for the receiving port, 1 and up for the others.
+    /// First port: 0 is the port that receives the command, 1 and above are numbered ports.
     pub port1: u8,
     /// Second port; must differ from the first.
     pub port2: u8,

@@ -10,7 +10,7 @@ use crate::wire::{List, Reserved};
 ///
 /// Not confirmed.
 ///
-/// The envelope, and the volume of the settings, count only in firmware with encoders or while the motors are off.
+/// The envelope and the volume setting apply only in firmware for encoders, or while the motors are off.
 ///
 /// ```
 /// use sbgc_proto::Message;
@@ -33,49 +33,48 @@ pub struct BeepSound {
     pub mode: BeepSoundMode,
     /// Length of each note of a melody, 1 to 255; ignored for the standard sounds.
     pub note_length: SoundTime,
-    /// Decay of a note after a pause; 0 disables it.
+    /// Decay rate of notes after a pause; 0 disables the decay.
     #[wire(range = 0..=15)]
     pub decay_factor: u8,
     pub reserved: Reserved<8>,
-    /// The notes of a melody, with [`BeepSoundMode::CUSTOM_MELODY`] only: 554 to 21000 Hz, or a pause.
+    /// Notes of a melody, 554 to 21000 Hz, or pauses. Used with [`BeepSoundMode::CUSTOM_MELODY`] only.
     ///
-    /// [`NoteFrequency::RESTART`] starts the envelope anew; what is beyond it also pauses, see
-    /// [`NoteFrequency::pause`].
+    /// [`NoteFrequency::RESTART`] restarts the envelope; larger values also pause, see [`NoteFrequency::pause`].
     #[wire(range = 554..=65535)]
     pub note_freq_hz: List<NoteFrequency, 50>,
 }
 
 impl NoteFrequency {
-    /// Restarts the envelope and pauses for so many samples of 8 ms, at most 44535.
+    /// Restarts the envelope and pauses for a number of samples of 8 ms, at most 44535.
     #[must_use]
     pub const fn pause(samples: u16) -> Self {
         Self(Self::RESTART.0.saturating_add(samples))
     }
 
-    /// For how many samples of 8 ms this pauses, 0 for a note.
+    /// Duration of the pause in samples of 8 ms; 0 for a note.
     pub const fn pause_samples(self) -> u16 {
         self.0.saturating_sub(Self::RESTART.0)
     }
 }
 
 flags! {
-    /// A sound. Spec: `BEEP_SOUND_MODE`.
+    /// Sound to play. Spec: `BEEP_SOUND_MODE`.
     ///
-    /// These are not the bits of the parameter `BEEPER_MODES`. A melody must be requested alone.
+    /// These bits differ from those of the parameter `BEEPER_MODES`. A melody cannot be combined with other sounds.
     pub struct BeepSoundMode: u16, prefix "BEEPER_MODE_" {
-        /// That of a calibration.
+        /// Calibration sound.
         const CALIBRATE = 1 << 0;
-        /// That of a confirmation.
+        /// Confirmation sound.
         const CONFIRM = 1 << 1;
-        /// That of an error.
+        /// Error sound.
         const ERROR = 1 << 2;
-        /// A click.
+        /// Click.
         const CLICK = 1 << 4;
-        /// That of something completed.
+        /// Completion sound.
         const COMPLETE = 1 << 5;
-        /// That of the start.
+        /// Start-up sound.
         const INTRO = 1 << 6;
-        /// The notes of the message.
+        /// Melody given by the notes of the message.
         const CUSTOM_MELODY = 1 << 15;
     }
 }

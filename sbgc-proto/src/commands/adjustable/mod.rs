@@ -1,7 +1,7 @@
-//! Adjustable variables: parameters that signals, buttons and hosts change at run time.
+//! Adjustable variables: parameters that signals, buttons and hosts can change at run time.
 //!
-//! [`AdjustableVariable`] lists them. Hosts change them with [`SetAdjVarsVal`] at once, without storing them;
-//! [`SaveParams3`] stores them. [`AdjVarsCfg`] says which signals change which.
+//! [`AdjustableVariable`] lists them. [`SetAdjVarsVal`] changes them immediately, without storing the values;
+//! [`SaveParams3`] stores them in EEPROM. [`AdjVarsCfg`] maps signals to variables.
 
 mod config;
 mod info;

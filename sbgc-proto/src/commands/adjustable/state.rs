@@ -1,4 +1,4 @@
-//! Current state of signals and the variables they change.
+//! Current state of signals and of the variables that they change.
 
 use sbgc_proto_macros::{bit_fields, message};
 
@@ -8,7 +8,7 @@ use crate::declare::BitField;
 use crate::units::RcSignal;
 use crate::wire::{Float, Reserved};
 
-/// Requests the state of a trigger slot, of two signals and of two variables.
+/// Requests the state of one trigger slot, two signals and two variables.
 #[message(
     CMD_ADJ_VARS_STATE,
     outgoing,
@@ -22,39 +22,39 @@ pub struct AdjVarsStateRequest {
     /// Trigger slot, counted from 0.
     #[wire(range = 0..=9)]
     pub trigger_slot: u8,
-    /// The signal of an analog slot.
+    /// Signal of an analog slot.
     pub analog_src_id: WideRcSource,
-    /// The variable of an analog slot.
+    /// Variable of an analog slot.
     pub analog_var_id: AdjustableVariable,
-    /// The signal of a lookup table.
+    /// Signal of a lookup table.
     pub lut_src_id: WideRcSource,
-    /// The variable of a lookup table.
+    /// Variable of a lookup table.
     pub lut_var_id: AdjustableVariable,
 }
 
-/// The state of a trigger slot, of two signals and of two variables: the answer to [`AdjVarsStateRequest`].
+/// State of one trigger slot, two signals and two variables: the answer to [`AdjVarsStateRequest`].
 ///
 /// The legacy form has the same length; only the firmware version or the request distinguishes them.
 #[message(CMD_ADJ_VARS_STATE, incoming, form = "extended", default, size = 15, since = "2.62b5")]
 pub struct AdjVarsState {
-    /// Signal of the trigger slot.
+    /// Value of the signal of the trigger slot.
     #[wire(range = -16384..=16384)]
     pub trigger_rc_data: RcSignal,
-    /// Action it runs.
+    /// Menu command that the trigger slot currently runs.
     pub trigger_action: MenuCommand,
-    /// Value of the requested signal.
+    /// Value of the requested analog signal.
     #[wire(range = -16384..=16384)]
     pub analog_src_value: RcSignal,
-    /// Value of the requested variable. A float, although the vendor's library reads an integer.
+    /// Value of the requested analog variable. A float, although the vendor's library reads an integer.
     pub analog_var_value: Float,
-    /// Signal of the requested lookup table.
+    /// Value of the requested signal of a lookup table.
     #[wire(range = -16384..=16384)]
     pub lut_src_value: RcSignal,
-    /// Variable of the requested lookup table. A float, although the vendor's library reads an integer.
+    /// Value of the requested variable of a lookup table. A float, although the vendor's library reads an integer.
     pub lut_var_value: Float,
 }
 
-/// Requests the state of a trigger slot and an analog slot, of firmware before 2.62b5.
+/// Requests the state of one trigger slot and one analog slot (firmware before 2.62b5).
 #[message(
     CMD_ADJ_VARS_STATE,
     outgoing,
@@ -72,26 +72,25 @@ pub struct AdjVarsStateLegacyRequest {
     pub analog_slot: u8,
 }
 
-/// The state of a trigger slot and an analog slot, from firmware before 2.62b5: the answer to
-/// [`AdjVarsStateLegacyRequest`].
+/// State of one trigger slot and one analog slot (firmware before 2.62b5): the answer to [`AdjVarsStateLegacyRequest`].
 ///
 /// The newer form has the same length; only the firmware version or the request distinguishes them.
 #[message(CMD_ADJ_VARS_STATE, incoming, form = "legacy", size = 15)]
 pub struct AdjVarsStateLegacy {
-    /// Signal of the trigger slot.
+    /// Value of the signal of the trigger slot.
     #[wire(range = -500..=500)]
     pub trigger_rc_data: i16,
-    /// Action it runs.
+    /// Menu command that the trigger slot currently runs.
     pub trigger_action: MenuCommand,
-    /// Signal of the analog slot.
+    /// Value of the signal of the analog slot.
     #[wire(range = -500..=500)]
     pub analog_rc_data: i16,
-    /// Final value of the variable of the analog slot.
+    /// Resulting value of the variable of the analog slot.
     pub analog_value: i32,
     pub reserved: Reserved<6>,
 }
 
-/// Signal source in two bytes. All known sources fit in the low byte.
+/// Signal source in two bytes. All known sources fit into the low byte.
 #[bit_fields(u16)]
 pub struct WideRcSource {
     /// Signal source.

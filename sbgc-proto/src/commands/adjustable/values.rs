@@ -1,4 +1,4 @@
-//! Values of variables, one by one.
+//! Values of individual adjustable variables.
 
 use sbgc_proto_macros::{message, record};
 
@@ -6,13 +6,13 @@ use super::AdjustableVariable;
 use crate::commands::Confirm;
 use crate::wire::{Float, List};
 
-/// Changes variables at once, without storing them in EEPROM: [`SaveParams3`](super::SaveParams3) does that.
+/// Changes adjustable variables immediately, without storing them in EEPROM.
 ///
-/// Confirmed on success.
+/// Confirmed on success. [`SaveParams3`](super::SaveParams3) stores the values.
 #[message(CMD_SET_ADJ_VARS_VAL, outgoing, size = 1..=201, answer = Confirm)]
 pub struct SetAdjVarsVal(pub AdjVarsVal);
 
-/// Values of variables.
+/// Values of adjustable variables.
 #[message(CMD_SET_ADJ_VARS_VAL, incoming, size = 1..=201)]
 pub struct AdjVarsVal {
     /// Variables, 1 to 40.
@@ -20,7 +20,7 @@ pub struct AdjVarsVal {
     pub params: List<VariableValue, 40>,
 }
 
-/// Requests the values of variables.
+/// Requests the values of adjustable variables.
 #[message(CMD_GET_ADJ_VARS_VAL, outgoing, size = 1..=41, answer = AdjVarsVal, echo = each(param_id => params.param_id))]
 pub struct GetAdjVarsVal {
     /// Variables, 1 to 40.
@@ -28,23 +28,23 @@ pub struct GetAdjVarsVal {
     pub param_id: List<AdjustableVariable, 40>,
 }
 
-/// A variable and its value.
+/// Adjustable variable and its value.
 #[record(size = 5)]
 pub struct VariableValue {
     /// Adjustable variable.
     pub param_id: AdjustableVariable,
-    /// Its raw value, widened to four bytes. The specification leaves room for floats, but all variables that it
-    /// lists are integers.
+    /// Raw value, extended to four bytes. The specification allows floats, but all variables that it lists are
+    /// integers.
     pub param_value: i32,
 }
 
-/// Changes variables at once, with values as floats.
+/// Changes adjustable variables immediately, with float values.
 ///
 /// Confirmed on success. A third-party library calls the command `CMD_SET_ADJ_VARS_F`.
 #[message(CMD_SET_ADJ_VARS_VAL_F, outgoing, size = 1..=201, since = "2.73.4", answer = Confirm)]
 pub struct SetAdjVarsValF(pub AdjVarsValF);
 
-/// Values of variables as floats.
+/// Values of adjustable variables as floats.
 #[message(CMD_SET_ADJ_VARS_VAL_F, incoming, size = 1..=201, since = "2.73.4")]
 pub struct AdjVarsValF {
     /// Variables, 1 to 40.
@@ -52,7 +52,7 @@ pub struct AdjVarsValF {
     pub params: List<VariableValueF, 40>,
 }
 
-/// Requests the values of variables as floats.
+/// Requests the values of adjustable variables as floats.
 #[message(CMD_GET_ADJ_VARS_VAL_F, outgoing, size = 1..=41, since = "2.73.4", answer = AdjVarsValF, echo = each(param_id => params.param_id))]
 pub struct GetAdjVarsValF {
     /// Variables, 1 to 40.
@@ -60,7 +60,7 @@ pub struct GetAdjVarsValF {
     pub param_id: List<AdjustableVariable, 40>,
 }
 
-/// A variable and its value as a float.
+/// Adjustable variable and its value as a float.
 #[record(size = 5)]
 pub struct VariableValueF {
     /// Adjustable variable.

@@ -1,8 +1,8 @@
-//! The adjustable variables: parameters that can be changed while the gimbal works.
+//! The list of adjustable variables: parameters that can be changed at run time.
 
 use crate::units::FirmwareVersion;
 
-/// Type of an adjustable variable. On the wire all have 4 bytes.
+/// Type of an adjustable variable. On the wire, every value takes 4 bytes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[expect(non_camel_case_types, reason = "they are the names of the types")]
@@ -22,15 +22,15 @@ pub struct VariableFacts {
     pub variable: AdjustableVariable,
     /// The spec's name.
     pub name: &'static str,
-    /// Its type.
+    /// Type of the value.
     pub ty: VariableType,
     /// Minimum and maximum raw value, if the spec defines them.
     pub range: Option<(i32, i32)>,
-    /// Maximum raw value for newer firmware, where that is another.
+    /// Maximum raw value in newer firmware, if it differs.
     pub newer_most: Option<i32>,
-    /// Unit of the value; empty where it has none or none is known.
+    /// Unit of the value; empty if it has none or the unit is unknown.
     pub unit: &'static str,
-    /// The value is the raw value divided by this.
+    /// Divisor: the value is the raw value divided by this.
     pub divide: u16,
     /// The first firmware that has it; `None` if that is unknown or the first of all.
     pub since: Option<FirmwareVersion>,
@@ -66,7 +66,7 @@ macro_rules! variables {
         }
 
         impl $enum {
-            /// All that are known, by their number.
+            /// All known variables, ordered by number.
             pub const ALL: &'static [VariableFacts] = &[
                 $(VariableFacts {
                     variable: Self::$name,
@@ -99,10 +99,10 @@ impl AdjustableVariable {
 }
 
 variables! {
-    /// A parameter that can be changed while the gimbal works.
+    /// Parameter that can be changed at run time.
     ///
-    /// The names with a dot in the specification have an underscore here. 65 and up are of newer firmware; the types
-    /// of 66 and up are read from their ranges, and their units are not published.
+    /// Names that contain a dot in the specification have an underscore here. Variables 65 and above exist in newer
+    /// firmware only. The types of 66 and above are inferred from their ranges; their units are not published.
     pub enum AdjustableVariable;
 
     /// P term of the controller of ROLL.
@@ -129,7 +129,7 @@ variables! {
     PowerPitch "POWER_PITCH" = 10: u8 [0, 255];
     /// Power of the motor of YAW.
     PowerYaw "POWER_YAW" = 11: u8 [0, 255];
-    /// Limit of acceleration of all axes.
+    /// Acceleration limit of all axes.
     AccLimiter "ACC_LIMITER" = 12: i16 [0, 1275] in "deg/s^2" / 1;
     /// Follow speed of ROLL.
     FollowSpeedRoll "FOLLOW_SPEED_ROLL" = 13: u8 [0, 255];
@@ -165,23 +165,23 @@ variables! {
     RcDeadband "RC_DEADBAND" = 28: u8 [0, 255];
     /// Exponential rate of remote control.
     RcExpoRate "RC_EXPO_RATE" = 29: u8 [0, 100];
-    /// Whether PITCH, and perhaps ROLL, follows: 0 no, 1 yes.
+    /// Follow mode of PITCH and possibly ROLL: 0 off, 1 on.
     FollowPitch "FOLLOW_PITCH" = 30: u8 [0, 1];
-    /// Following axes: 0 none, 1 YAW, 2 YAW and PITCH and perhaps ROLL.
+    /// Axes in follow mode: 0 none; 1 YAW; 2 YAW, PITCH and possibly ROLL.
     FollowYawPitch "FOLLOW_YAW_PITCH" = 31: u8 [0, 2];
-    /// Dead band of following.
+    /// Dead band of follow mode.
     FollowDeadband "FOLLOW_DEADBAND" = 32: u8 [0, 255];
-    /// Exponential rate of following.
+    /// Exponential curve of follow mode.
     FollowExpoRate "FOLLOW_EXPO_RATE" = 33: u8 [0, 100];
-    /// From which tilt on ROLL is mixed into following.
+    /// Tilt angle from which ROLL is mixed into follow mode.
     FollowRollMixStart "FOLLOW_ROLL_MIX_START" = 34: u8 [0, 90];
-    /// Over how many degrees that mix grows to its full.
+    /// Range of tilt angles over which the ROLL mix grows to its maximum.
     FollowRollMixRange "FOLLOW_ROLL_MIX_RANGE" = 35: u8 [0, 90];
     /// Trust in the gyroscope.
     GyroTrust "GYRO_TRUST" = 36: u8 [0, 255];
-    /// Heading of the frame; 32767 switches the correction off.
+    /// Heading of the frame; 32767 turns the correction off.
     FrameHeadingAngle "FRAME_HEADING_ANGLE" = 37: i16 [-1800, 1800] in "deg" / 10;
-    /// Correction of the gyroscope's drift about the vertical.
+    /// Correction of gyroscope drift about the vertical axis.
     GyroHeadingCorrection "GYRO_HEADING_CORRECTION" = 38: i16 [-20000, 20000] in "gyro units" / 1000;
     /// Limit of acceleration of ROLL.
     AccLimiterRoll "ACC_LIMITER_ROLL" = 39: i16 [0, 1275, newer 10000] in "deg/s^2" / 1;
@@ -225,7 +225,7 @@ variables! {
     FollowRangePitch "FOLLOW_RANGE_PITCH" = 58: u8 [0, 255] in "deg" / 1 since "2.68b9";
     /// Range over which following of YAW grows to its full speed.
     FollowRangeYaw "FOLLOW_RANGE_YAW" = 59: u8 [0, 255] in "deg" / 1 since "2.68b9";
-    /// Goal of automatic tuning, from stability to precision.
+    /// Goal of automatic PID tuning, from stability to precision.
     AutoPidTarget "AUTO_PID_TARGET" = 60: u8 [0, 255] since "2.68b9";
     /// Meaning of the ROLL control signal, as in [`RcMode`](crate::commands::RcMode).
     RcModeRoll "RC_MODE_ROLL" = 61: u8 since "2.69b3";
@@ -233,9 +233,9 @@ variables! {
     RcModePitch "RC_MODE_PITCH" = 62: u8 since "2.69b3";
     /// Meaning of the YAW control signal, as in [`RcMode`](crate::commands::RcMode).
     RcModeYaw "RC_MODE_YAW" = 63: u8 since "2.69b3";
-    /// Order of Euler angles, as [`EulerOrder`](crate::commands::EulerOrder) has it.
+    /// Order of Euler angles, as in [`EulerOrder`](crate::commands::EulerOrder).
     EulerOrder "EULER_ORDER" = 64: u8 since "2.69b3";
-    /// Inner dead band of following.
+    /// Inner dead band of follow mode.
     FollowInDband "FOLLOW_IN_DBAND" = 65: u8 [0, 255] since "2.70b4";
     /// Least angle of remote control, ROLL.
     RcLimitMinRoll "RC_LIMIT_MIN_ROLL" = 66: i16 [-3600, 3600] since "2.72b0";
@@ -265,13 +265,13 @@ variables! {
     ShakeAmpPan "SHAKE_AMP_PAN" = 78: u8 [0, 255] since "2.73";
     /// Base frequency of the shake generator.
     ShakeFreq "SHAKE_FREQ" = 79: u8 [0, 255] since "2.73";
-    /// Range of the shake generator's frequencies.
+    /// Frequency range of the shake generator.
     ShakeFreqRange "SHAKE_FREQ_RANGE" = 80: u8 [0, 100] since "2.73";
-    /// Period of the shake generator's pauses.
+    /// Pause period of the shake generator.
     ShakePausePeriod "SHAKE_PAUSE_PERIOD" = 81: u16 [500, 5600] in "ms" / 1 since "2.73";
-    /// Balance between shake and pause. The same setting among the parameters ends at 100.
+    /// Balance between shaking and pauses. The corresponding parameter has a maximum of 100.
     ShakePauseBalance "SHAKE_PAUSE_BALANCE" = 82: u8 [0, 255] since "2.73";
-    /// Irregularity of pauses.
+    /// Randomness of the shake generator's pauses.
     ShakePauseRandomness "SHAKE_PAUSE_RANDOMNESS" = 83: u8 [0, 100] since "2.73";
     /// Gain of the shake generator's resonance, ROLL.
     ShakeResonanceGainRoll "SHAKE_RESONANCE_GAIN_ROLL" = 84: u8 [0, 255] since "2.73";
@@ -285,7 +285,7 @@ variables! {
     ShakeFreqShiftTilt "SHAKE_FREQ_SHIFT_TILT" = 88: i8 [-127, 127] since "2.73";
     /// Shift of the shake generator's frequencies, PAN.
     ShakeFreqShiftPan "SHAKE_FREQ_SHIFT_PAN" = 89: i8 [-127, 127] since "2.73";
-    /// Gain of the whole shake generator.
+    /// Master gain of the shake generator.
     ShakeMasterGain "SHAKE_MASTER_GAIN" = 90: u8 [0, 255] since "2.73";
     /// P term of the outer loop of ROLL.
     OuterPRoll "OUTER_P_ROLL" = 91: u8 [0, 255] since "2.73.7";

@@ -1,4 +1,4 @@
-//! How a calibration of a sensor is going.
+//! Progress of a sensor calibration.
 
 use sbgc_proto_macros::{message, open_enum};
 
@@ -7,91 +7,90 @@ use crate::declare::flags;
 use crate::units::Acceleration;
 use crate::wire::{PerXyz, Reserved};
 
-/// Asks how the calibration of a sensor is going.
+/// Requests the progress of a sensor calibration.
 ///
-/// To be sent periodically while [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro)
-/// or [`CalibMag`](crate::commands::CalibMag) runs.
+/// Send it periodically while [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro) or
+/// [`CalibMag`](crate::commands::CalibMag) runs.
 #[message(CMD_CALIB_INFO, outgoing, size = 12, answer = CalibInfo, echo = imu_type)]
 pub struct CalibInfoRequest {
-    /// Sensor to use.
+    /// IMU that is calibrated.
     pub imu_type: ImuType,
     pub reserved: Reserved<11>,
 }
 
-/// Progress of a sensor calibration, and what is calibrated already.
+/// Progress of a sensor calibration, and the calibrations that already exist.
 #[message(CMD_CALIB_INFO, incoming, size = 33)]
 pub struct CalibInfo {
     /// Progress of the calibration.
     #[wire(unit = "%", range = 0..=100)]
     pub progress: u8,
-    /// Sensor to use.
+    /// IMU that is calibrated.
     pub imu_type: ImuType,
-    /// Accelerometer, calibrated.
+    /// Calibrated acceleration.
     pub acc_data: PerXyz<Acceleration>,
-    /// Amplitude of the gyroscope's signal: how much the sensor is moved.
+    /// Amplitude of the gyroscope signal, which shows how much the IMU moves.
     pub gyro_abs_val: u16,
-    /// The axis of the accelerometer that is to be calibrated now.
+    /// Axis of the accelerometer to calibrate now.
     pub acc_cur_axis: AccAxis,
-    /// The limits of the accelerometer that are calibrated.
+    /// Limits of the accelerometer that are calibrated.
     pub acc_limits_info: AccLimits,
-    /// Temperature of the sensor.
+    /// Temperature of the IMU.
     #[wire(unit = "degC", range = -127..=127)]
     pub imu_temp_cels: i8,
-    /// Whether the gyroscope's calibration over temperature is in use.
+    /// Whether the gyroscope calibration over temperature is enabled.
     pub temp_calib_gyro_enabled: Switch,
-    /// Lowest temperature at which the gyroscope is calibrated.
+    /// Minimum temperature at which the gyroscope is calibrated.
     #[wire(unit = "degC", range = -127..=127)]
     pub temp_calib_gyro_t_min_cels: i8,
-    /// Highest temperature at which the gyroscope is calibrated.
+    /// Maximum temperature at which the gyroscope is calibrated.
     #[wire(unit = "degC", range = -127..=127)]
     pub temp_calib_gyro_t_max_cels: i8,
-    /// Whether the accelerometer's calibration over temperature is in use.
+    /// Whether the accelerometer calibration over temperature is enabled.
     pub temp_calib_acc_enabled: Switch,
     /// Number of calibrated temperatures for each limit of the accelerometer.
     ///
-    /// In the order +X, +Y, +Z, -X, -Y, -Z, which is not the order of `acc_limits_info`.
+    /// The order is +X, +Y, +Z, -X, -Y, -Z, unlike that of `acc_limits_info`.
     #[wire(range = 0..=3)]
     pub temp_calib_acc_slot_num: [u8; 6],
-    /// Lowest temperature at which the accelerometer is calibrated.
+    /// Minimum temperature at which the accelerometer is calibrated.
     #[wire(unit = "degC")]
     pub temp_calib_acc_t_min_cels: i8,
-    /// Highest temperature at which the accelerometer is calibrated.
+    /// Maximum temperature at which the accelerometer is calibrated.
     #[wire(unit = "degC")]
     pub temp_calib_acc_t_max_cels: i8,
-    /// Length of the difference between the estimated heading vector and its reference; 100 is the length of a whole
-    /// unit vector.
+    /// Length of the difference between the estimated heading vector and its reference, in hundredths of a unit vector.
     pub h_err_length: u8,
     pub reserved: Reserved<7>,
 }
 
-/// An axis of the accelerometer. Spec: `ACC_CUR_AXIS`.
+/// Axis of the accelerometer. Spec: `ACC_CUR_AXIS`.
 ///
-/// One library calls them by the axes of the gimbal, roll, pitch and yaw. The spec speaks of the sensor, so these are
-/// X, Y and Z.
+/// One library names them after the gimbal axes: roll, pitch and yaw. The specification refers to the sensor, so they
+/// are called X, Y and Z here.
 #[open_enum(u8)]
 pub enum AccAxis {
-    /// The sensor's X.
+    /// X axis of the sensor.
     X = 0,
-    /// The sensor's Y.
+    /// Y axis of the sensor.
     Y = 1,
-    /// The sensor's Z.
+    /// Z axis of the sensor.
     Z = 2,
 }
 
 flags! {
-    /// Limits of the accelerometer: an axis pointing up or down. Spec: `ACC_LIMITS`.
+    /// Limits of the accelerometer: each axis pointing up or down. Spec: `ACC_LIMITS`.
     pub struct AccLimits: u8 {
-        /// X, positive.
+        /// Positive X.
         const PLUS_X = 1 << 0;
-        /// X, negative.
+        /// Negative X.
         const MINUS_X = 1 << 1;
-        /// Y, positive.
+        /// Positive Y.
         const PLUS_Y = 1 << 2;
-        /// Y, negative.
+        /// Negative Y.
         const MINUS_Y = 1 << 3;
-        /// Z, positive.
+        /// Positive Z.
         const PLUS_Z = 1 << 4;
-        /// Z, negative.
+        /// Negative Z.
         const MINUS_Z = 1 << 5;
     }
 }

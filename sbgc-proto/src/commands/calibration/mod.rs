@@ -1,8 +1,8 @@
-//! Calibrations: of the sensors, of the encoders, of motors and battery.
+//! Calibration of sensors, encoders, motors and battery monitoring.
 //!
-//! Most start with one short message and end with a [`CMD_CONFIRM`](crate::CommandId::CONFIRM). Each message here says
-//! how many confirmations there are, when they come, and whether the gimbal moves. From newer firmware a host can also
-//! see what is going on in the calibration mode that `CMD_REALTIME_DATA_4` carries.
+//! Most calibrations start with one short message and end with a [`CMD_CONFIRM`](crate::CommandId::CONFIRM). Each
+//! message documents how many confirmations to expect and when, and whether the gimbal moves. Newer firmware also
+//! reports the current calibration mode in `CMD_REALTIME_DATA_4`.
 
 mod encoders;
 mod imu;

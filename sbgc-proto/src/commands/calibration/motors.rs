@@ -1,4 +1,4 @@
-//! Correction of motors that do not turn evenly.
+//! Correction of motor cogging.
 
 use sbgc_proto_macros::{message, open_enum, record};
 
@@ -7,20 +7,19 @@ use crate::declare::flags;
 use crate::units::CorrectionPeriod;
 use crate::wire::{PerAxis, Reserved};
 
-/// Measures or deletes the correction of cogging, the unevenness of a motor over its turn.
+/// Calibrates or deletes the correction of cogging, the torque ripple of a motor over one turn.
 ///
-/// **The gimbal moves.** Prepare it first as described in the user manual. The board confirms at the start, and with
-/// data 255 at the end, which one of the vendor's libraries waits for. How long it takes depends on angles, speeds and
-/// iterations; `CMD_COGGING_CALIB_INFO` seems to report the progress, in a layout that is not published.
+/// **The gimbal moves.** Prepare it first as described in the user manual. The board confirms the start, and the end
+/// with data 255; one of the vendor's libraries waits for the latter. The duration depends on angles, speeds and
+/// iterations; `CMD_COGGING_CALIB_INFO` appears to report the progress, in a layout that is not published.
 ///
-/// The specification of firmware 2.6x names the command without its payload, which is that of newer documents. One of
-/// the vendor's libraries lets its compiler pad each axis to 16 bytes, which makes 60 in all; the others have 57 bytes
-/// as here.
+/// The specification for firmware 2.6x names the command without its payload, which is taken from newer documents. One
+/// of the vendor's libraries pads each axis to 16 bytes, 60 bytes in total; the others have 57 bytes, as here.
 #[message(CMD_CALIB_COGGING, outgoing, size = 57, answer = Confirm)]
 pub struct CalibCogging {
     /// Action to perform.
     pub action: CoggingAction,
-    /// For which axes.
+    /// Axes to calibrate.
     pub axis_to_calibrate: CoggingAxes,
     /// Calibration settings of each axis.
     #[wire(group)]
@@ -35,15 +34,15 @@ pub struct CalibCogging {
 #[record(size = 15)]
 #[derive(Copy)]
 pub struct CoggingAxis {
-    /// The range to turn through.
+    /// Range of the motion.
     #[wire(unit = "deg", range = 20..=360)]
     pub angle: u16,
-    /// Smoothing of the curve.
+    /// Smoothing of the correction curve.
     #[wire(unit = "%", range = 0..=100)]
     pub smooth: u8,
     /// Speed of the motion, without a defined unit.
     pub speed: u8,
-    /// The period that the curve is expected to have.
+    /// Expected period of the correction curve.
     pub period: CorrectionPeriod,
     pub reserved: Reserved<9>,
 }
@@ -51,14 +50,14 @@ pub struct CoggingAxis {
 /// Action on the cogging correction. Spec: `COGGING_ACTION`.
 #[open_enum(u8)]
 pub enum CoggingAction {
-    /// Measure it.
+    /// Calibrates the correction.
     Calibrate = 1,
-    /// Delete it.
+    /// Deletes the correction.
     Delete = 2,
 }
 
 flags! {
-    /// Axes whose cogging is meant. Spec: `COGGING_AXIS`.
+    /// Axes of a cogging calibration. Spec: `COGGING_AXIS`.
     pub struct CoggingAxes: u8 {
         /// Roll.
         const ROLL = 1 << 0;

@@ -1,42 +1,40 @@
-//! What the board says to a command that failed.
+//! Error replies to commands that failed.
 
 use sbgc_proto_macros::{message, open_enum};
 
 use crate::wire::{Bytes, Fault, FromWire, Layout, Read, ToWire, Writer};
 use crate::{CommandId, DecodeError, EncodeError, Message};
 
-/// Error of a command, without the command's id.
+/// Error reply that does not name the command, as in older specifications.
 ///
-/// The form of older specifications.
-///
-/// Whether the firmware changed or the old documents were wrong is unknown, so the length decides: with one or
-/// five bytes the payload begins with the error code, with any other number it is an [`Error`].
+/// Whether the firmware changed or the old documents were wrong is unknown, so the length decides: a payload of one or
+/// five bytes starts with the error code; any other length is an [`Error`].
 #[message(CMD_ERROR, incoming, form = "legacy", size = 1..=5, length = 1 | 5)]
 #[derive(Copy)]
 pub struct ErrorLegacy {
-    /// Error code. [`FailureCode::from_raw`] interprets it for the command that failed.
+    /// Error code. [`FailureCode::from_raw`] interprets it for a particular command.
     pub error_code: ErrorCode,
-    /// Additional bytes, which depend on the error.
+    /// Additional bytes; their meaning depends on the error.
     pub error_data: Option<Bytes<4>>,
 }
 
-/// Error of a command, with the command's id.
+/// Error reply that names the command, as in newer documents.
 ///
-/// The form of newer documents. Older ones have [`ErrorLegacy`], which does not name the command.
+/// Older documents describe [`ErrorLegacy`], which does not name the command.
 #[message(CMD_ERROR, incoming, size = 2..=6)]
 #[derive(Copy)]
 pub struct Error {
-    /// The command that failed.
+    /// Command that failed.
     pub cmd_id: CommandId,
-    /// Error code, from the list that belongs to the command.
+    /// Error code, from the list for this command.
     #[wire(context = *cmd_id)]
     pub error_code: FailureCode,
-    /// Additional bytes, which depend on the error; normally four.
+    /// Additional bytes, normally four; their meaning depends on the error.
     pub error_data: ErrorData,
 }
 
 impl Error {
-    /// The spec's name of the error, from the list that belongs to the command.
+    /// Spec name of the error, from the list for this command.
     ///
     /// ```
     /// use sbgc_proto::commands::Error;
@@ -68,9 +66,9 @@ impl Error {
 pub struct ErrorReport {
     /// Command that failed; `None` in the legacy form, which does not name it.
     pub command: Option<CommandId>,
-    /// Error code. [`FailureCode::from_raw`] gives its meaning for the command.
+    /// Error code. [`FailureCode::from_raw`] interprets it for a particular command.
     pub code: u8,
-    /// Additional bytes, which depend on the error.
+    /// Additional bytes; their meaning depends on the error.
     pub data: ErrorData,
 }
 
@@ -117,8 +115,8 @@ pub enum FailureCode {
 impl FailureCode {
     /// Interprets `raw` as an error code of `command`.
     ///
-    /// Files and EEPROM (commands 47, 48, 53, 54, 55) have a list of their own, and so has `CMD_AUTO_PID2` in the
-    /// specification; codes beyond that short list are taken as general ones.
+    /// File and EEPROM commands (47, 48, 53, 54, 55) have a list of their own, and so has `CMD_AUTO_PID2` in the
+    /// specification; codes beyond that short list are interpreted as general codes.
     pub fn from_raw(command: CommandId, raw: u8) -> Self {
         match command {
             CommandId::EepromWrite
@@ -177,7 +175,7 @@ impl ToWire<CommandId> for FailureCode {
     }
 }
 
-/// Up to four additional bytes of an error. Not three: that payload would be taken for the legacy form.
+/// Up to four additional bytes of an error, but not three: that payload would be interpreted as the legacy form.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -187,7 +185,7 @@ pub struct ErrorData {
 }
 
 impl ErrorData {
-    /// Keeps the first four of `bytes`.
+    /// Creates error data from the first four of `bytes`.
     pub fn new(bytes: &[u8]) -> Self {
         let mut data = Self::default();
         for (place, byte) in data.bytes.iter_mut().zip(bytes) {
@@ -232,7 +230,7 @@ impl ToWire for ErrorData {
 
 /// General error code. Spec: `ERROR_CODE`.
 ///
-/// These are the usual codes of newer documents; there may be others.
+/// These are the common codes of newer documents; there may be others.
 #[open_enum(u8, prefix = "ERR_")]
 pub enum ErrorCode {
     /// No error.
@@ -276,7 +274,7 @@ pub enum FsErrorCode {
     FileSize = 6,
     /// Wrong checksum.
     Crc = 7,
-    /// A limit is reached.
+    /// A limit was reached.
     LimitReached = 8,
     /// The file is damaged.
     FileCorrupted = 9,

@@ -1,4 +1,4 @@
-//! What the board says to commands that change something: confirmations and errors.
+//! Replies to commands: confirmations and errors.
 
 mod error;
 #[cfg(feature = "reflect")]
@@ -15,30 +15,30 @@ use crate::{CommandId, EncodeError};
 
 /// Confirms that a command was accepted or has finished.
 ///
-/// Calibrations are confirmed twice, when they start and when they end. `CMD_CONTROL` is confirmed at once, and with
-/// `AUTO_TASK` again when all targets are reached. A command that fails is answered by [`Error`] instead, or by
-/// nothing.
+/// Calibrations are confirmed twice: when they start and when they end. `CMD_CONTROL` is confirmed immediately and,
+/// with `AUTO_TASK`, again when all targets are reached. A command that fails is answered by [`Error`], or not at all.
 ///
-/// Whether some commands are confirmed is unknown: the specification does not cover several calibrations of encoders
-/// and motors, `CMD_USE_DEFAULTS` and `CMD_RUN_SCRIPT`, and libraries differ. Accept a confirmation of these if it is
-/// sent, but do not rely on it. See the page of each command.
+/// For some commands it is unknown whether they are confirmed: the specification does not cover several calibrations of
+/// encoders and motors, `CMD_USE_DEFAULTS` and `CMD_RUN_SCRIPT`, and libraries differ. For these, accept a
+/// confirmation, but do not rely on one. See the page of each command.
 #[message(CMD_CONFIRM, incoming, size = 1..=5)]
 #[derive(Copy)]
 pub struct Confirm {
     /// Confirmed command.
     pub cmd_id: CommandId,
-    /// Data of the confirmation, if the command defines any.
+    /// Data of the confirmation, if the command defines any; otherwise zero or absent.
     ///
-    /// `CMD_CONTROL`: 1 when the target is reached. `CMD_CALIB_COGGING`: 255 at the end. `CMD_WRITE_FILE` and
-    /// `CMD_FS_CLEAR_ALL`: a [`FsErrorCode`], for these are confirmed when they fail, too. `CMD_EEPROM_WRITE`: the
-    /// address, in a width that is unknown. `CMD_TRIGGER_PIN`, firmware 2.74.3+, for inputs: the pin in
-    /// the low byte and its signed state in the next. Zero or nothing with all others.
+    /// - `CMD_CONTROL`: 1 when the target is reached.
+    /// - `CMD_CALIB_COGGING`: 255 at the end.
+    /// - `CMD_WRITE_FILE` and `CMD_FS_CLEAR_ALL`: an [`FsErrorCode`], because these are confirmed on failure, too.
+    /// - `CMD_EEPROM_WRITE`: the address, in an unknown width.
+    /// - `CMD_TRIGGER_PIN` for inputs, firmware 2.74.3+: the pin in the low byte and its signed state in the next.
     pub data: ConfirmData,
 }
 
-/// Number in a confirmation, in the width in which it was received.
+/// Data of a confirmation, in the width in which it was received.
 ///
-/// The specification has one or two bytes. No bytes at all have been seen from boards, and newer hosts accept up to
+/// The specification defines one or two bytes. Boards have been observed to send none, and newer hosts accept up to
 /// four.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -58,7 +58,7 @@ pub enum ConfirmData {
 }
 
 impl ConfirmData {
-    /// The number; 0 if there are no bytes.
+    /// Value as a number; 0 if there are no bytes.
     pub fn value(self) -> u32 {
         match self {
             ConfirmData::None => 0,

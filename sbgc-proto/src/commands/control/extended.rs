@@ -1,4 +1,4 @@
-//! Control by axis in which only some axes and values are sent.
+//! Motion control by axis that sends selected axes and values only.
 
 use sbgc_proto_macros::{message, record};
 
@@ -8,14 +8,13 @@ use crate::declare::flags;
 use crate::units::{Angle, ControlRate, FineRate};
 use crate::wire::PerAxis;
 
-/// Moves the gimbal; only the chosen axes and values are sent.
+/// Moves the gimbal, sending selected axes and values only.
 ///
-/// The board confirms it like [`Control`](super::Control), and the rules given there for modes, speeds and
-/// angles holds here.
+/// Confirmed like [`Control`](super::Control), whose rules for modes, speeds and angles apply here, too.
 ///
-/// How the values of 4 bytes are chosen is unknown. Here, as in the vendor's libraries, their bit stands in place
-/// of that of the short value, and an axis is there if any of its five bits is set. A third-party library sets the
-/// short bit as well, and the other bit widens the value. With the short bits alone all agree.
+/// Sources disagree on how 4-byte values are selected. Here, as in the vendor's libraries, their bit replaces that of
+/// the 2-byte value, and an axis is present if any of its five bits is set. A third-party library sets the 2-byte bit
+/// as well; its other bit then widens the value. With 2-byte values only, all sources agree.
 ///
 /// ```
 /// use sbgc_proto::Message;
@@ -37,21 +36,21 @@ use crate::wire::PerAxis;
 pub struct ControlExt {
     /// Flags that select the values of each axis.
     pub data_set: ControlExtDataSet,
-    /// The ROLL axis.
+    /// Set-point of the ROLL axis.
     #[wire(group, when = !data_set.axes().roll.is_empty(), context = data_set.axes().roll)]
     pub roll: Option<ControlExtAxis>,
-    /// The PITCH axis.
+    /// Set-point of the PITCH axis.
     #[wire(group, when = !data_set.axes().pitch.is_empty(), context = data_set.axes().pitch)]
     pub pitch: Option<ControlExtAxis>,
-    /// The YAW axis.
+    /// Set-point of the YAW axis.
     #[wire(group, when = !data_set.axes().yaw.is_empty(), context = data_set.axes().yaw)]
     pub yaw: Option<ControlExtAxis>,
 }
 
 impl ControlExt {
-    /// The command for these axes: the set of values is that of those which are there.
+    /// Creates a command for these axes; the selection of values follows from those that are present.
     ///
-    /// An axis with neither speed nor angle is left out, since it cannot be sent.
+    /// An axis without speed and angle is omitted, because it cannot be sent.
     pub fn new(axes: PerAxis<Option<ControlExtAxis>>) -> Self {
         let sets = axes.map(|axis| axis.map(|axis| axis.data_set()).unwrap_or_default());
         let sent = |axis: Option<ControlExtAxis>| axis.filter(|axis| !axis.data_set().is_empty());
@@ -70,21 +69,21 @@ impl ControlExt {
 pub struct ControlExtAxis {
     /// Control mode of the axis.
     pub control_mode: ControlMode,
-    /// More about that.
+    /// Further options of the control mode.
     pub mode_flags: ControlExtModeFlags,
     /// Speed, as in [`ControlAxis`](super::ControlAxis).
     #[wire(flag = SPEED)]
     pub speed: Option<ControlRate>,
-    /// Speed in fine steps.
+    /// Speed in 4 bytes, at a higher resolution.
     #[wire(spec = "SPEED", since = "2.72b0", when = set.has_long_speed())]
     pub speed_32bit: Option<FineRate>,
     /// Angle, as in [`ControlAxis`](super::ControlAxis).
     #[wire(flag = ANGLE)]
     pub angle: Option<Angle>,
-    /// Angle in finer steps, or over more turns.
+    /// Angle in 4 bytes, raw.
     ///
-    /// The step is unknown: "increased resolution" suggests 2^20 per turn, a remark in the vendor's C library has
-    /// 2^14 as for the short angle.
+    /// The step is unknown: "increased resolution" suggests 2^20 per turn, while a comment in the vendor's C library
+    /// gives 2^14, as for the 2-byte angle.
     #[wire(spec = "ANGLE", when = set.has_long_angle())]
     pub angle_32bit: Option<i32>,
 }
@@ -102,7 +101,7 @@ impl ControlExtAxis {
 }
 
 flags! {
-    /// Values of all axes: five bits for each. Spec: `CONTROL_EXT_DATA_SET`.
+    /// Selected values of all axes, five bits per axis. Spec: `CONTROL_EXT_DATA_SET`.
     pub struct ControlExtDataSet: u16 {
         /// Speed of ROLL.
         const ROLL_SPEED = 1 << 0;
@@ -132,7 +131,7 @@ flags! {
 }
 
 impl ControlExtDataSet {
-    /// The set of each axis.
+    /// Selected values of each axis.
     pub fn axes(self) -> PerAxis<ControlExtAxisSet> {
         PerAxis { roll: 0, pitch: 5, yaw: 10 }.map(|shift| {
             let [bits, _] = (self.bits() >> shift & 0x1F).to_le_bytes();
@@ -140,7 +139,7 @@ impl ControlExtDataSet {
         })
     }
 
-    /// The set that has these of each axis.
+    /// Combines the selected values of each axis.
     #[must_use]
     pub fn of_axes(axes: PerAxis<ControlExtAxisSet>) -> Self {
         let [roll, pitch, yaw] = axes.map(|set| u16::from(set.bits() & 0x1F)).into_array();
@@ -149,7 +148,7 @@ impl ControlExtDataSet {
 }
 
 flags! {
-    /// Values of one axis: its five bits of [`ControlExtDataSet`].
+    /// Selected values of one axis: its five bits of [`ControlExtDataSet`].
     pub struct ControlExtAxisSet: u8 {
         /// Speed.
         const SPEED = 1 << 0;
@@ -163,21 +162,21 @@ flags! {
 }
 
 impl ControlExtAxisSet {
-    /// Whether there is a speed of 4 bytes: its bit is set, and not that of the short one.
+    /// Whether the speed has 4 bytes: its bit is set, and that of the 2-byte speed is not.
     pub fn has_long_speed(self) -> bool {
         self.contains(Self::SPEED_32BIT) && !self.contains(Self::SPEED)
     }
 
-    /// Whether there is an angle of 4 bytes: its bit is set, and not that of the short one.
+    /// Whether the angle has 4 bytes: its bit is set, and that of the 2-byte angle is not.
     pub fn has_long_angle(self) -> bool {
         self.contains(Self::ANGLE_32BIT) && !self.contains(Self::ANGLE)
     }
 }
 
 flags! {
-    /// More about how an axis is controlled. Spec: `CONTROL_EXT_MODE_FLAG`.
+    /// Further control options of an axis. Spec: `CONTROL_EXT_MODE_FLAG`.
     pub struct ControlExtModeFlags: u8 {
-        /// Errors of the angle are not corrected.
+        /// Disables the correction of angle errors.
         const DISABLE_ANGLE_ERR_CORR = 1 << 0;
     }
 }

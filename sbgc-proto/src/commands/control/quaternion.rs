@@ -1,4 +1,4 @@
-//! Control of the attitude as a whole, by quaternion: firmware 2.73+.
+//! Attitude control by quaternion. Firmware 2.73+.
 
 use sbgc_proto_macros::{message, open_enum};
 
@@ -7,39 +7,39 @@ use crate::declare::flags;
 use crate::units::{ControlRateLimit, PackedQuaternion, SensorRate};
 use crate::wire::{Float, PerXyz};
 
-/// Turns the camera to an attitude, or at a speed about any axis.
+/// Turns the camera to an attitude, or rotates it about any axis.
 ///
-/// The board must have [`BoardFeaturesExt2::QUAT_CONTROL`](crate::commands::BoardFeaturesExt2::QUAT_CONTROL). It
-/// confirms the command with [`ControlQuatFlags::CONFIRM`], and once more, with data 1, when the target is reached,
-/// with [`ControlQuatFlags::AUTO_TASK`].
+/// Requires [`BoardFeaturesExt2::QUAT_CONTROL`](crate::commands::BoardFeaturesExt2::QUAT_CONTROL). Confirmed with
+/// [`ControlQuatFlags::CONFIRM`]; with [`ControlQuatFlags::AUTO_TASK`], a second confirmation with data 1 follows when
+/// the target is reached.
 ///
-/// What the mode does not use is left out of the payload, as the vendor's libraries do; they never send a packed
-/// attitude.
+/// Values that the mode does not use are omitted from the payload, as in the vendor's libraries, which never send a
+/// packed attitude.
 #[message(CMD_CONTROL_QUAT, outgoing, size = 2..=30, since = "2.73.0")]
 #[derive(Copy)]
 pub struct ControlQuat {
-    /// Whether the attitude is controlled, the speed, or both.
+    /// Controlled quantity: attitude, speed or both.
     pub mode: ControlQuatMode,
-    /// Confirmation and interpretation of the attitude.
+    /// Options: confirmations and interpretation of the attitude.
     pub flags: ControlQuatFlags,
-    /// The attitude as w, x, y, z, of length 1.
+    /// Target attitude as a unit quaternion w, x, y, z.
     #[wire(when = mode.has_attitude() && !flags.contains(ControlQuatFlags::ATTITUDE_PACKED))]
     pub target_attitude: Option<[Float; 4]>,
-    /// The attitude, packed.
+    /// Target attitude as a packed quaternion.
     #[wire(when = mode.has_attitude() && flags.contains(ControlQuatFlags::ATTITUDE_PACKED))]
     pub target_attitude_packed: Option<PackedQuaternion>,
-    /// The speed as a rotation vector.
+    /// Target speed as a rotation vector.
     #[wire(unit = "rad/s", when = mode.has_speed())]
     pub target_speed: Option<PerXyz<Float>>,
 }
 
 impl ControlQuat {
-    /// Stops this kind of control.
+    /// Ends quaternion control.
     pub fn disable() -> Self {
         Self::default()
     }
 
-    /// To an attitude w, x, y, z of length 1.
+    /// Turns to an attitude, a unit quaternion w, x, y, z.
     pub fn attitude(attitude: [f32; 4], flags: ControlQuatFlags) -> Self {
         let packed = flags.contains(ControlQuatFlags::ATTITUDE_PACKED);
         Self {
@@ -51,7 +51,7 @@ impl ControlQuat {
         }
     }
 
-    /// At a speed, a rotation vector in radians per second.
+    /// Rotates at a speed, a rotation vector in radians per second.
     pub fn speed(speed: PerXyz<f32>, flags: ControlQuatFlags) -> Self {
         let target_speed = Some(speed.map(Float::from));
         Self { mode: ControlQuatMode::Speed, flags, target_speed, ..Self::default() }
@@ -61,15 +61,15 @@ impl ControlQuat {
 /// Mode of quaternion control. Spec: `CONTROL_QUAT_MODE`.
 #[open_enum(u8, prefix = "MODE_")]
 pub enum ControlQuatMode {
-    /// Nothing: this kind of control ends.
+    /// Ends quaternion control.
     Disabled = 0,
-    /// The speed, at once.
+    /// Controls the speed, without an acceleration limit.
     Speed = 1,
-    /// The attitude, along the motion profile.
+    /// Controls the attitude, along the motion profile.
     Attitude = 2,
-    /// The attitude and the speed at which it changes.
+    /// Controls the attitude, given together with the speed at which it changes.
     SpeedAttitude = 5,
-    /// The speed, within the limit of acceleration.
+    /// Controls the speed, within the acceleration limit.
     SpeedLimited = 9,
 }
 
@@ -88,36 +88,36 @@ impl ControlQuatMode {
 flags! {
     /// Options of quaternion control. Spec: `CONTROL_QUAT_FLAG`.
     pub struct ControlQuatFlags: u8 {
-        /// The command is confirmed.
+        /// Confirms the command.
         const CONFIRM = 1 << 0;
-        /// The attitude is packed.
+        /// The attitude is a packed quaternion.
         const ATTITUDE_PACKED = 1 << 1;
-        /// The attitude is limited to half a turn.
+        /// Limits the attitude to half a turn.
         const ATTITUDE_LIMITED_180 = 1 << 2;
-        /// Rotation about axes that the gimbal does not have is left out. Firmware 2.74.1+.
+        /// Removes rotation about axes that the gimbal does not have. Firmware 2.74.1+.
         const ATT_REMOVE_ABSENT_AXES = 1 << 3;
-        /// The command is confirmed once more when the target is reached; given up after 10 seconds.
+        /// Sends a second confirmation when the target is reached; gives up after 10 seconds.
         const AUTO_TASK = 1 << 6;
     }
 }
 
 flags! {
-    /// [`ControlQuatFlags`] in two bytes, as the state has them. Spec: `CONTROL_QUAT_FLAG`.
+    /// Options of quaternion control in two bytes, as reported in its state. Spec: `CONTROL_QUAT_FLAG`.
     pub struct ControlQuatStatusFlags: u16 {
-        /// The command is confirmed.
+        /// Confirms the command.
         const CONFIRM = 1 << 0;
-        /// The attitude is packed.
+        /// The attitude is a packed quaternion.
         const ATTITUDE_PACKED = 1 << 1;
-        /// The attitude is limited to half a turn.
+        /// Limits the attitude to half a turn.
         const ATTITUDE_LIMITED_180 = 1 << 2;
-        /// Rotation about axes that the gimbal does not have is left out. Firmware 2.74.1+.
+        /// Removes rotation about axes that the gimbal does not have. Firmware 2.74.1+.
         const ATT_REMOVE_ABSENT_AXES = 1 << 3;
-        /// The command is confirmed once more when the target is reached.
+        /// Sends a second confirmation when the target is reached.
         const AUTO_TASK = 1 << 6;
     }
 }
 
-/// Requests the state of control by quaternion.
+/// Requests the state of quaternion control.
 #[message(CMD_CONTROL_QUAT_STATUS, outgoing, size = 4, since = "2.73.0", answer = ControlQuatStatus, echo = data_set)]
 #[derive(Copy)]
 pub struct ControlQuatStatusRequest {
@@ -125,12 +125,10 @@ pub struct ControlQuatStatusRequest {
     pub data_set: ControlQuatStatusDataSet,
 }
 
-/// The state of control by quaternion.
+/// State of quaternion control. Quaternions are w, x, y, z.
 ///
-/// Quaternions are w, x, y, z.
-///
-/// Two things are unknown: the vendor's Python library reads two bytes of data set in place of these four, and an
-/// example of the vendor's C library takes the steps of the speeds for twice of what they are here.
+/// Sources disagree on two points: the vendor's Python library reads a two-byte data set instead of four bytes, and an
+/// example of the vendor's C library uses twice the speed unit used here.
 #[message(CMD_CONTROL_QUAT_STATUS, incoming, size = 4..=97, since = "2.73.0", flags = data_set)]
 #[derive(Copy)]
 pub struct ControlQuatStatus {
@@ -139,10 +137,10 @@ pub struct ControlQuatStatus {
     /// Controlled quantity.
     #[wire(flag = MODE)]
     pub mode: Option<ControlQuatMode>,
-    /// The flags of the last [`ControlQuat`], in two bytes here.
+    /// Flags of the last [`ControlQuat`], in two bytes here.
     #[wire(flag = MODE)]
     pub flags: Option<ControlQuatStatusFlags>,
-    /// The attitude that was commanded.
+    /// Commanded attitude.
     #[wire(flag = TARGET_ATTITUDE)]
     pub target_attitude: Option<[Float; 4]>,
     /// Current attitude set-point of the motion profile.
@@ -160,7 +158,7 @@ pub struct ControlQuatStatus {
     /// Actual speed.
     #[wire(flag = ACTUAL_SPEED)]
     pub actual_speed: Option<PerXyz<SensorRate>>,
-    /// The attitude that was commanded, packed.
+    /// Commanded attitude, packed.
     #[wire(flag = TARGET_ATTITUDE_PACKED)]
     pub target_attitude_packed: Option<PackedQuaternion>,
     /// Current attitude set-point of the motion profile, packed.
@@ -172,32 +170,32 @@ pub struct ControlQuatStatus {
 }
 
 flags! {
-    /// Parts of the state of control by quaternion. Spec: `CONTROL_QUAT_STATUS_DATA_SET`.
+    /// Selection of state fields of quaternion control. Spec: `CONTROL_QUAT_STATUS_DATA_SET`.
     pub struct ControlQuatStatusDataSet: u32 {
         /// Mode and flags.
         const MODE = 1 << 0;
         /// Commanded attitude.
         const TARGET_ATTITUDE = 1 << 1;
-        /// Attitude of the motion profile.
+        /// Current attitude set-point of the motion profile.
         const SETPOINT_ATTITUDE = 1 << 2;
         /// Actual attitude.
         const ACTUAL_ATTITUDE = 1 << 3;
         /// Commanded speed.
         const TARGET_SPEED = 1 << 4;
-        /// Speed of the motion profile.
+        /// Current speed set-point of the motion profile.
         const SETPOINT_SPEED = 1 << 5;
         /// Actual speed.
         const ACTUAL_SPEED = 1 << 6;
         /// Commanded attitude, packed.
         const TARGET_ATTITUDE_PACKED = 1 << 7;
-        /// Attitude of the motion profile, packed.
+        /// Current attitude set-point of the motion profile, packed.
         const SETPOINT_ATTITUDE_PACKED = 1 << 8;
         /// Actual attitude, packed.
         const ACTUAL_ATTITUDE_PACKED = 1 << 9;
     }
 }
 
-/// Sets the motion profile and the filters of control by quaternion.
+/// Configures the motion profile and the filters of quaternion control.
 #[message(CMD_CONTROL_QUAT_CONFIG, outgoing, size = 2..=24, since = "2.73.0", answer = Confirm, flags = data_set)]
 #[derive(Copy)]
 pub struct ControlQuatConfig {
@@ -209,34 +207,34 @@ pub struct ControlQuatConfig {
     /// Maximum acceleration; 0 disables the limit.
     #[wire(unit = "deg/s^2", flag = ACC_LIMIT)]
     pub acc_limit: Option<PerXyz<u16>>,
-    /// Time in which an acceleration builds up; 0 is at once.
+    /// Time in which the acceleration builds up; 0 means immediately.
     #[wire(unit = "ms", flag = JERK_SLOPE)]
     pub jerk_slope: Option<PerXyz<u16>>,
     /// Options of the motion profile.
     #[wire(flag = FLAGS)]
     pub flags: Option<ControlQuatConfigFlags>,
-    /// Cutoff of the low-pass filter of the attitude; 0, the default, is none.
+    /// Cut-off frequency of the attitude's low-pass filter; 0, the default, disables it.
     #[wire(unit = "Hz", flag = ATTITUDE_LPF_FREQ)]
     pub attitude_lpf_freq: Option<u8>,
-    /// Cutoff of the low-pass filter of the speed; 0, the default, is none.
+    /// Cut-off frequency of the speed's low-pass filter; 0, the default, disables it.
     #[wire(unit = "Hz", flag = SPEED_LPF_FREQ)]
     pub speed_lpf_freq: Option<u8>,
 }
 
 flags! {
-    /// Settings of control by quaternion. Spec: `CONTROL_QUAT_CONFIG_DATA_SET`.
+    /// Selection of quaternion control settings. Spec: `CONTROL_QUAT_CONFIG_DATA_SET`.
     pub struct ControlQuatConfigDataSet: u16 {
         /// Maximum speed.
         const MAX_SPEED = 1 << 0;
         /// Maximum acceleration.
         const ACC_LIMIT = 1 << 1;
-        /// Time in which an acceleration builds up.
+        /// Time in which the acceleration builds up.
         const JERK_SLOPE = 1 << 2;
-        /// Flags.
+        /// Options of the motion profile.
         const FLAGS = 1 << 3;
-        /// Filter of the attitude.
+        /// Low-pass filter of the attitude.
         const ATTITUDE_LPF_FREQ = 1 << 4;
-        /// Filter of the speed.
+        /// Low-pass filter of the speed.
         const SPEED_LPF_FREQ = 1 << 5;
     }
 }
@@ -244,7 +242,7 @@ flags! {
 flags! {
     /// Options of the motion profile of quaternion control. Spec: `CONTROL_QUAT_CONFIG_FLAG`.
     pub struct ControlQuatConfigFlags: u16 {
-        /// Each component has a profile of its own.
+        /// Each component has a motion profile of its own.
         const MOTION_PROFILE_SPLIT_XYZ = 1 << 0;
     }
 }

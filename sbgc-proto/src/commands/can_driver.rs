@@ -1,4 +1,4 @@
-//! Telemetry of motor drivers on the CAN bus.
+//! Telemetry of CAN motor drivers.
 
 use sbgc_proto_macros::message;
 
@@ -11,9 +11,9 @@ flags! {
     pub struct CanDrvTelemetryFlags: u32 {
         /// State of the CAN bus.
         const CAN_BUS_FLAGS = 1 << 0;
-        /// Errors of the CAN bus.
+        /// Number of CAN bus errors.
         const CAN_BUS_ERR_CNT = 1 << 1;
-        /// Temperature of the board.
+        /// Temperature of the driver board.
         const TEMP_BOARD = 1 << 2;
         /// Temperature of the motor.
         const TEMP_MOTOR = 1 << 3;
@@ -21,13 +21,13 @@ flags! {
         const AVG_CURRENT = 1 << 4;
         /// Supply voltage of the driver.
         const BUS_VOLTAGE = 1 << 5;
-        /// Levels of its pins.
+        /// Levels of the driver's pins.
         const PIN_STATE = 1 << 6;
         /// Current of each phase.
         const PHASE_CURRENT = 1 << 7;
-        /// Errors of the encoder.
+        /// Number of encoder errors.
         const ENCODER_ERROR_CNT = 1 << 8;
-        /// Currents along (d) and across (q) the rotor.
+        /// Currents along the q and d axes of the rotor.
         const IQ_ID_CURRENT = 1 << 9;
         /// Speed of the motor.
         const MOTOR_SPEED = 1 << 10;
@@ -49,11 +49,10 @@ impl CanDrvTelemetryFlags {
     }
 }
 
-/// Telemetry of a motor driver on the CAN bus, sent as a data stream only.
+/// Telemetry of a CAN motor driver, sent as a data stream only.
 ///
-/// The message does not identify its fields: decode it with the flags of the stream. Fields not selected are
-/// `None`. The field widths are those that a third-party library
-/// takes from a newer specification.
+/// The message does not identify its fields: decode it with the flags of the stream. Fields not selected are `None`.
+/// The field widths are those of a third-party library, which quotes a newer specification.
 #[message(
     CMD_CAN_DRV_TELEMETRY, incoming, size = 3..=35, since = "2.72b0", context(selection: CanDrvTelemetryFlags)
 )]
@@ -68,10 +67,10 @@ pub struct CanDrvTelemetry {
     /// State of the CAN bus; its flags are not published.
     #[wire(flag = CAN_BUS_FLAGS)]
     pub can_bus_flags: Option<u8>,
-    /// Errors of the CAN bus.
+    /// Number of CAN bus errors.
     #[wire(flag = CAN_BUS_ERR_CNT)]
     pub can_bus_err_cnt: Option<u16>,
-    /// Temperature of the board.
+    /// Temperature of the driver board.
     #[wire(flag = TEMP_BOARD, unit = "degC")]
     pub temp_board: Option<i8>,
     /// Temperature of the motor.
@@ -83,19 +82,19 @@ pub struct CanDrvTelemetry {
     /// Supply voltage of the driver.
     #[wire(flag = BUS_VOLTAGE, unit = "mV")]
     pub bus_voltage: Option<u16>,
-    /// Levels of its pins.
+    /// Levels of the driver's pins.
     #[wire(flag = PIN_STATE)]
     pub pin_state: Option<CanDrvPins>,
     /// Current of each phase.
     #[wire(flag = PHASE_CURRENT, unit = "mA")]
     pub phase_current: Option<[i16; 3]>,
-    /// Errors of the encoder.
+    /// Number of encoder errors.
     #[wire(flag = ENCODER_ERROR_CNT)]
     pub encoder_error_cnt: Option<u16>,
-    /// Current across the rotor (q), which produces torque.
+    /// Current along the q axis of the rotor, which produces torque.
     #[wire(flag = IQ_ID_CURRENT, unit = "mA")]
     pub iq_current: Option<i16>,
-    /// Current along the rotor (d).
+    /// Current along the d axis of the rotor.
     #[wire(flag = IQ_ID_CURRENT, unit = "mA")]
     pub id_current: Option<i16>,
     /// Speed of the motor.
@@ -107,7 +106,7 @@ pub struct CanDrvTelemetry {
     /// Error of the speed loop.
     #[wire(flag = PID_SPEED_ERR)]
     pub pid_speed_err: Option<i16>,
-    /// Current set-point; 32768 is 100 %.
+    /// Set-point of the q current; 32768 is 100 %.
     #[wire(flag = IQ_REF)]
     pub iq_ref: Option<i16>,
     /// Error of the current loop.
@@ -115,7 +114,7 @@ pub struct CanDrvTelemetry {
     pub pid_current_err: Option<i16>,
 }
 
-/// Undecoded telemetry of a motor driver (selection flags unknown).
+/// Undecoded telemetry of a CAN motor driver (selection flags unknown).
 #[message(CMD_CAN_DRV_TELEMETRY, incoming, size = 3..=255, since = "2.72b0")]
 #[derive(Copy)]
 pub struct CanDrvTelemetryView<'a> {
@@ -144,7 +143,7 @@ flags! {
     pub struct CanDrvPins: u8 {
         /// Limit switch.
         const LIMIT = 1 << 0;
-        /// Index of the encoder.
+        /// Encoder index.
         const INDEX = 1 << 1;
         /// Emergency input.
         const EMERGENCY = 1 << 2;
@@ -154,9 +153,9 @@ flags! {
         const AUX2 = 1 << 4;
         /// Auxiliary pin 3.
         const AUX3 = 1 << 5;
-        /// The half bridges are on.
+        /// Half bridges are enabled.
         const HALF_BRIDGE_ENABLE = 1 << 6;
-        /// The encoder is selected.
+        /// Chip select of the encoder.
         const ENCODER_SPI_CS = 1 << 7;
     }
 }

@@ -1,17 +1,16 @@
 //! Every payload of the protocol, one file per topic.
 //!
 //! # Names
-//! A message is named after its command: `CMD_X` becomes `X` in CamelCase. Where a command has its answer under the
-//! same id, the answer has the plain name and the request is `XRequest`; only requests that the spec calls READ or GET
-//! keep the verb: `ReadParams3` is answered by `Params3`, `GetAngles` by `Angles`. Forms other than the usual one add a
-//! suffix: `ControlLegacy`. A struct used inside messages is a `record`.
+//! A message is named after its command: `CMD_X` becomes `X` in CamelCase. If the answer has the same id as the
+//! request, the answer has the plain name and the request is `XRequest`, except for requests named READ or GET in the
+//! specification, which keep the verb: `ReadParams3` is answered by `Params3`, `GetAngles` by `Angles`. Forms other
+//! than the usual one add a suffix: `ControlLegacy`.
 //!
 //! # Declarations
-//! Each payload is declared once, with the attribute `message` of `sbgc-proto-macros`, and everything else follows from
-//! that. Fields have the spec's names in lower case. The meaning of a number is in its type: quantities of
-//! [`units`](crate::units), open enumerations, flag sets and bit fields; only plain numbers have a `unit` or `range` of
-//! their own. Reserved bytes are [`Reserved`](crate::wire::Reserved); those that newer firmware uses are typed fields
-//! with a `since`.
+//! Fields have the spec names in lower case. Their types express the meaning of numbers: quantities of
+//! [`units`](crate::units), open enumerations, flag sets and numbers made of bit fields. Reserved bytes are
+//! [`Reserved`](crate::wire::Reserved); bytes that newer firmware uses are typed fields, whose documentation names the
+//! first firmware version.
 //!
 #![doc = include_str!("table.md")]
 

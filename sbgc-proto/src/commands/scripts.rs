@@ -1,4 +1,4 @@
-//! Scripts of the user that the board runs by itself.
+//! User scripts that the board runs on its own.
 
 use sbgc_proto_macros::{message, open_enum};
 
@@ -7,10 +7,9 @@ use crate::wire::Reserved;
 
 /// Starts or stops a script.
 ///
-/// Only boards with the feature `BOARD_FEATURE_SCRIPTING` can.
-///
-/// Whether the board confirms is unknown: the specification does not say, and the vendor's libraries wait for
-/// nothing. Take a `CMD_CONFIRM` if it comes, and do not depend on it.
+/// Requires [`BoardFeatures::SCRIPTING`](crate::commands::BoardFeatures::SCRIPTING). Whether the board confirms is
+/// unknown: the specification does not define it, and the vendor's libraries do not wait for an answer. Accept a
+/// `CMD_CONFIRM`, but do not rely on one.
 #[message(CMD_RUN_SCRIPT, outgoing, size = 34)]
 pub struct RunScript {
     /// Action to perform.
@@ -24,21 +23,21 @@ pub struct RunScript {
 /// Progress of a script started with [`RunScriptMode::StartWithDebug`].
 #[message(CMD_SCRIPT_DEBUG, incoming, size = 3)]
 pub struct ScriptDebug {
-    /// The number of the command that the script is at.
+    /// Number of the command that is being executed.
     pub cmd_count: u16,
-    /// What went wrong. The specification points to the errors of files; the vendor's library means the general errors
-    /// of `CMD_ERROR`, which share their numbers.
+    /// Error code. The specification refers to the error codes of files; the vendor's library uses the general error
+    /// codes of `CMD_ERROR`, which have the same numbers.
     pub err_code: FsErrorCode,
 }
 
 /// Starts or stops a script. Spec: `RUN_SCRIPT_MODE`.
 #[open_enum(u8)]
 pub enum RunScriptMode {
-    /// Stop it.
+    /// Stops the script.
     Stop = 0,
-    /// Start it.
+    /// Starts the script.
     Start = 1,
-    /// Start it and report each step by [`ScriptDebug`].
+    /// Starts the script and reports each step with [`ScriptDebug`].
     StartWithDebug = 2,
 }
 

@@ -1,4 +1,4 @@
-//! Messages that the board sends by itself: data streams and events.
+//! Messages that the board sends unsolicited: data streams and events.
 
 use sbgc_proto_macros::{message, open_enum, record};
 
@@ -12,13 +12,13 @@ use crate::units::StreamInterval;
 use crate::wire::{Bytes, Reserved};
 use crate::{CommandId, Message};
 
-/// Registers, changes or ends a data stream: a message sent at a fixed rate or on events.
+/// Registers, changes or stops a data stream: a message that the board sends periodically or on events.
 ///
-/// Each port has its own streams, one for each command and configuration, and there are at most ten over all ports. The
-/// same command and configuration again change the stream's interval, and an interval of 0 ends it. When the port or
-/// its buffer is too slow, samples are left out. The board confirms that a stream was registered or changed.
+/// Each port has its own streams, identified by command and configuration; all ports together can have ten. Registering
+/// the same command and configuration again changes the interval; an interval of 0 stops the stream. If the port is too
+/// slow, messages are skipped. The board confirms registrations and changes.
 ///
-/// Registrations are not stored: register again after a restart of the board.
+/// Registrations are not stored: repeat them after a restart of the board.
 ///
 /// ```
 /// use sbgc_proto::commands::{DataStreamInterval, RealtimeDataCustomFlags, StreamSource};
@@ -33,33 +33,33 @@ use crate::{CommandId, Message};
 pub struct DataStreamInterval {
     /// Command to send; [`StreamSource`] lists those that can be streamed.
     pub cmd_id: CommandId,
-    /// Interval between messages, kept to ±1 ms and exact on average.
+    /// Interval between messages, accurate to ±1 ms and exact on average; 0 stops the stream.
     ///
-    /// An event is sent when it happens, with any interval but 0; the interval is that between messages as long as
+    /// Events are sent when they occur, with any interval except 0; the interval applies to repeated messages while
     /// something is held.
     pub interval_ms: StreamInterval,
-    /// Configuration of the stream; its layout depends on the command.
+    /// Configuration of the stream, with a layout that depends on the command.
     pub config: StreamConfig,
-    /// Synchronizes the stream with the IMU samples; the interval is then a number of samples.
+    /// Whether to synchronize the stream with IMU samples; the interval is then a number of samples.
     #[wire(since = "2.70b1")]
     pub sync_to_data: Switch,
     pub reserved: Reserved<9>,
 }
 
 impl DataStreamInterval {
-    /// Registers `source`.
+    /// Creates a registration of `source`.
     pub fn new(source: StreamSource, interval_ms: StreamInterval) -> Self {
         Self { cmd_id: source.cmd_id(), interval_ms, config: source.config(), ..Self::default() }
     }
 
-    /// Whether both registrations name the same stream on one port, so that the second changes or ends the first.
+    /// Whether both registrations refer to the same stream of a port, so that the second changes or stops the first.
     ///
-    /// Streams are distinguished by the command and all bytes of the configuration.
+    /// Streams are identified by the command and all bytes of the configuration.
     pub fn is_same_stream(&self, other: &Self) -> bool {
         (self.cmd_id, self.config) == (other.cmd_id, other.config)
     }
 
-    /// Returns the message that ends this stream.
+    /// Returns the message that stops this stream.
     #[must_use]
     pub fn to_stop(&self) -> Self {
         Self { cmd_id: self.cmd_id, config: self.config, ..Self::default() }
@@ -71,7 +71,7 @@ impl DataStreamInterval {
     }
 }
 
-/// Configuration of a data stream. All bytes, including those that the command does not use, distinguish streams.
+/// Configuration of a data stream. All bytes count for its identity, even those that the command does not use.
 #[record(size = 8)]
 #[derive(Copy, Hash)]
 pub struct StreamConfig(pub Bytes<8>);
@@ -94,41 +94,41 @@ pub enum StreamSource {
     RealtimeData3,
     /// [`RealtimeData4`](super::RealtimeData4).
     RealtimeData4,
-    /// [`RealtimeDataCustom`](super::RealtimeDataCustom) with these flags.
+    /// [`RealtimeDataCustom`](super::RealtimeDataCustom) with the fields that these flags select.
     RealtimeDataCustom(RealtimeDataCustomFlags),
-    /// [`AhrsHelper`](super::AhrsHelper) of this IMU. It counts from 0, as the specification has it;
-    /// some libraries count from 1.
+    /// [`AhrsHelper`](super::AhrsHelper) of this IMU. IMUs are numbered from 0, as in the specification; some libraries
+    /// number them from 1.
     AhrsHelper(ImuIndex),
-    /// [`BoardEvent`]; firmware 2.65b7+.
+    /// [`BoardEvent`]. Firmware 2.65b7+.
     Event {
         /// Event kind.
         event_id: EventId,
         /// Event phases to report.
         event_type: EventTypes,
     },
-    /// [`CanDrvTelemetry`](super::CanDrvTelemetry) with these flags; firmware 2.72b0+, extended family of
-    /// boards.
+    /// [`CanDrvTelemetry`](super::CanDrvTelemetry) with the fields that these flags select. Firmware 2.72b0+ on boards
+    /// of the extended family.
     CanDrvTelemetry {
         /// Flags that select the fields of the messages.
         flags: CanDrvTelemetryFlags,
-        /// Which driver. Whether it is a number from 0 to 6, as in the message itself, or a set of bits is not
-        /// settled.
+        /// Driver to report. Sources do not specify whether this is a number from 0 to 6, as in the message, or a set
+        /// of bits.
         drv_id: u8,
     },
-    /// [`ExtMotorsState`](super::ExtMotorsState) of these motors; firmware 2.73+.
+    /// [`ExtMotorsState`](super::ExtMotorsState) of these motors. Firmware 2.73+.
     ExtMotorsState {
-        /// Motors the command applies to.
+        /// Motors to report.
         for_motors: ExtMotors,
         /// Flags that select the fields of the messages.
         data_set: ExtMotorsStateDataSet,
     },
-    /// [`RealtimeDataCustom2`](super::RealtimeDataCustom2) with these flags; firmware 2.74.2+.
+    /// [`RealtimeDataCustom2`](super::RealtimeDataCustom2) with the fields that these flags select. Firmware 2.74.2+.
     RealtimeDataCustom2(RealtimeDataCustom2Flags),
 }
 
 impl StreamSource {
-    /// Interprets a command id and configuration; `None` if the command cannot be streamed. Bytes of the
-    /// configuration that the command does not use are passed over.
+    /// Interprets a command id and configuration; `None` if the command cannot be streamed. Bytes of the configuration
+    /// that the command does not use are ignored.
     pub fn from_config(cmd_id: CommandId, config: StreamConfig) -> Option<Self> {
         let [first, second, third, fourth, fifth, ..] = config.0.0;
         let flags = u32::from_le_bytes([first, second, third, fourth]);
@@ -197,9 +197,9 @@ impl StreamSource {
         }
     }
 
-    /// Number of payload bytes of each message; `None` where it varies.
+    /// Number of payload bytes of each message; `None` if it varies.
     ///
-    /// Only the length distinguishes messages of two streams of one command with different flags.
+    /// The length is all that distinguishes the messages of two streams of one command with different flags.
     pub fn payload_len(self) -> Option<usize> {
         match self {
             Self::RealtimeDataCustom(flags) => Some(flags.payload_len()),
@@ -237,44 +237,43 @@ impl StreamSource {
 pub struct BoardEvent<'a> {
     /// Event kind.
     pub event_id: EventId,
-    /// Event phase. With the camera these bits have other names.
+    /// Event phase. For the camera, these bits have other names.
     pub event_type: EventTypes,
     /// Event parameter.
     ///
-    /// For a menu button held or released: the holding time in milliseconds. For a script: its slot,
-    /// counted from 0.
+    /// For a menu button held or released, the holding time in milliseconds. For a script, its slot, counted from 0.
     pub param1: u16,
-    /// Parameters that future firmware may add.
+    /// Further parameters, which future firmware may add.
     pub extra: &'a [u8],
 }
 
 /// Event kind. Spec: `EVENT_ID`.
 #[open_enum(u8, prefix = "EVENT_ID_")]
 pub enum EventId {
-    /// Menu button released, pressed or held.
+    /// The menu button was released, pressed or held.
     MenuButton = 1,
-    /// Motors turned off or on.
+    /// The motors were turned off or on.
     MotorState = 2,
     /// An emergency stop ended or began.
     EmergencyStop = 3,
-    /// The menu command "Camera Rec/Photo event" or "Camera photo event".
+    /// The menu command "Camera Rec/Photo event" or "Camera photo event" was run.
     Camera = 4,
     /// A script finished or started.
     #[wire(since = "2.68b8")]
     Script = 5,
-    /// The retracted position was left or taken.
+    /// The retracted position was left or reached.
     #[wire(since = "2.73.1")]
     RetractedPosition = 6,
 }
 
 flags! {
-    /// Event phase: one bit in an event, any combination in a stream. Spec: `EVENT_TYPE`.
+    /// Event phases: one bit in an event, any combination in the configuration of a stream. Spec: `EVENT_TYPE`.
     pub struct EventTypes: u8, prefix "EVENT_TYPE_" {
-        /// End: released, off. With the camera it is [`REC_PHOTO`](Self::REC_PHOTO).
+        /// End: released or off. For the camera, this is [`REC_PHOTO`](Self::REC_PHOTO).
         const OFF = 1 << 0;
-        /// Begin: pressed, on. With the camera it is [`PHOTO`](Self::PHOTO).
+        /// Start: pressed or on. For the camera, this is [`PHOTO`](Self::PHOTO).
         const ON = 1 << 1;
-        /// Continued: held.
+        /// Continuation: held.
         const HOLD = 1 << 2;
     }
 }

@@ -1,6 +1,6 @@
-//! Commands of which the id and the name are known and nothing else: their payload stays as it came.
+//! Commands of which only the id and the name are published. Their payloads are kept as raw bytes.
 //!
-//! In which directions they go is not published either, so there is a message for each.
+//! Their direction is not published either, so there is a message for each direction.
 
 use sbgc_proto_macros::message;
 

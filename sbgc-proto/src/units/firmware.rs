@@ -1,7 +1,5 @@
 //! The version of the firmware as a number on the wire.
 
-use core::fmt;
-
 use crate::version::FirmwareVersion;
 
 #[cfg(feature = "serde")]
@@ -11,7 +9,7 @@ crate::declare::number_type!(
     FirmwareVersion: u16, read |raw| FirmwareVersion(raw), raw |value| value.0,
     meaning crate::reflect::Meaning::Shown {
         show: |raw, f| match u16::try_from(raw) {
-            Ok(raw) => fmt::Display::fmt(&FirmwareVersion(raw), f),
+            Ok(raw) => core::fmt::Display::fmt(&FirmwareVersion(raw), f),
             Err(_) => Ok(()),
         },
         read: |text| text.parse::<FirmwareVersion>().ok().map(|version| version.0.into()),

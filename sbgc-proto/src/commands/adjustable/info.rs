@@ -1,4 +1,4 @@
-//! List of the adjustable variables of the firmware.
+//! List of the adjustable variables that the firmware supports.
 
 use sbgc_proto_macros::{message, record};
 
@@ -7,15 +7,15 @@ use crate::wire::{List, Text};
 
 /// Requests the list of adjustable variables.
 ///
-/// One answer holds as many as fit; request the next ones by starting after the last.
+/// One answer contains as many variables as fit. To get the following ones, request them starting after the last.
 #[message(CMD_ADJ_VARS_INFO, outgoing, size = 0..=1, since = "2.73", answer = AdjVarsInfo<'answer>, echo = from(start_id => vars.var_id))]
 pub struct AdjVarsInfoRequest {
-    /// First variable to describe. The vendor's library always sends it; a third-party library may omit it,
-    /// which means 0.
+    /// First variable to describe; 0 if absent. The vendor's library always sends it, a third-party library may omit
+    /// it.
     pub start_id: Option<AdjustableVariable>,
 }
 
-/// List of the adjustable variables of the firmware.
+/// List of the adjustable variables that the firmware supports.
 #[message(CMD_ADJ_VARS_INFO, incoming, size = 1..=255, since = "2.73")]
 pub struct AdjVarsInfo<'a> {
     /// Total number of variables in the firmware, not in this message.
@@ -25,7 +25,7 @@ pub struct AdjVarsInfo<'a> {
     pub vars: List<VariableInfo<'a>, 25>,
 }
 
-/// Description of an adjustable variable by the firmware.
+/// Description of an adjustable variable, as reported by the firmware.
 #[record]
 pub struct VariableInfo<'a> {
     /// Adjustable variable.

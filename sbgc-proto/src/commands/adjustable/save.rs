@@ -1,4 +1,4 @@
-//! Storing adjusted variables.
+//! Storing the values of adjustable variables.
 
 use sbgc_proto_macros::message;
 
@@ -6,13 +6,14 @@ use super::AdjustableVariable;
 use crate::commands::Confirm;
 use crate::wire::List;
 
-/// Stores all variables that are in use in EEPROM, those of a profile in the active one.
+/// Stores the values of all adjustable variables in use in EEPROM; values that belong to a profile go to the active
+/// one.
 ///
 /// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(CMD_SAVE_PARAMS_3, outgoing, form = "simple", default, size = 0, length = 0, answer = Confirm)]
 pub struct SaveParams3;
 
-/// Stores some variables in EEPROM, those of a profile in the active one.
+/// Stores the values of some adjustable variables in EEPROM; values that belong to a profile go to the active one.
 ///
 /// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(
@@ -25,6 +26,6 @@ pub struct SaveParams3;
     answer = Confirm
 )]
 pub struct SaveParams3Extended {
-    /// Variables to store; at least one, since the form without any stores all.
+    /// Variables to store, at least one: the form without variables stores all.
     pub adj_var_id: List<AdjustableVariable, 255>,
 }

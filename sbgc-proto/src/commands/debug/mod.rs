@@ -1,7 +1,7 @@
-//! Variables that the firmware shows for debugging.
+//! Debug variables of the firmware.
 //!
-//! Their values come without a description, which has to be asked for before: [`DebugVarsInfo3`] names and types them,
-//! [`DebugVars3`] has the values in the same order.
+//! The values come without a description, which must be requested first: [`DebugVarsInfo3`] contains names and types,
+//! [`DebugVars3`] the values in the same order.
 
 #[cfg(test)]
 mod tests;
@@ -20,7 +20,7 @@ pub struct DebugVarsInfo3Request;
 
 /// Requests names and types of the debug variables, starting at an index.
 ///
-/// One answer may not hold all: continue at the first variable not yet described, until an answer holds none.
+/// One answer may not contain all: continue with the first variable not yet described until an answer contains none.
 #[message(
     CMD_DEBUG_VARS_INFO_3, outgoing, form = "extended", default, size = 1, since = "2.72b0", answer = DebugVarsInfo3<'answer>
 )]
@@ -35,8 +35,8 @@ pub struct DebugVarsInfo3ExtendedRequest {
 pub struct DebugVarsInfo3<'a> {
     /// Number of variables.
     ///
-    /// By the specification that of this message. Newer firmware may give more than the message holds, so the list ends
-    /// where the payload does.
+    /// According to the specification, the number in this message. Newer firmware may report more than the message
+    /// contains, so the list ends with the payload.
     pub debug_vars_num: u8,
     /// Variables, in the order of their values.
     #[wire(group, at_most = usize::from(*debug_vars_num))]
@@ -47,7 +47,7 @@ pub struct DebugVarsInfo3<'a> {
 #[record]
 #[derive(Copy)]
 pub struct DebugVarInfo<'a> {
-    /// Name.
+    /// Name of the variable.
     pub var_name: Text<'a>,
     /// Wire type and meaning of the value.
     pub var_type: DebugVarKind,
@@ -60,16 +60,16 @@ pub struct DebugVarKind {
     /// Type of the value.
     #[wire(bits = 0..=3)]
     pub var_type: DebugVarType,
-    /// Axis that it belongs to.
+    /// Axis that the variable belongs to.
     #[wire(bits = 4..=5, spec = "VAR_FLAG_AXIS")]
     pub axis: DebugVarAxis,
-    /// It is an angle in steps of 14 bits per turn.
+    /// The value is an angle in units of 1/16384 turn.
     #[wire(bits = 6, spec = "VAR_FLAG_ANGLE14")]
     pub is_angle: bool,
 }
 
 impl DebugVarKind {
-    /// The value as a number, in deg where it is an angle.
+    /// Converts a value to a number, in degrees for angles.
     pub fn physical(self, value: DebugVarValue) -> f64 {
         if self.is_angle() { value.to_f64() * 360.0 / 16_384.0 } else { value.to_f64() }
     }
@@ -78,33 +78,33 @@ impl DebugVarKind {
 /// Type of a debug variable. Spec: `DEBUG_VAR_TYPE`.
 #[open_enum(u8)]
 pub enum DebugVarType {
-    /// One byte.
+    /// Unsigned, 1 byte.
     #[wire(spec = "VAR_TYPE_UINT8")]
     U8 = 1,
-    /// One byte with sign.
+    /// Signed, 1 byte.
     #[wire(spec = "VAR_TYPE_INT8")]
     I8 = 2,
-    /// Two bytes.
+    /// Unsigned, 2 bytes.
     #[wire(spec = "VAR_TYPE_UINT16")]
     U16 = 3,
-    /// Signed, two bytes.
+    /// Signed, 2 bytes.
     #[wire(spec = "VAR_TYPE_INT16")]
     I16 = 4,
-    /// Four bytes.
+    /// Unsigned, 4 bytes.
     #[wire(spec = "VAR_TYPE_UINT32")]
     U32 = 5,
-    /// Four bytes with sign.
+    /// Signed, 4 bytes.
     #[wire(spec = "VAR_TYPE_INT32")]
     I32 = 6,
-    /// Float of four bytes.
+    /// Float, 4 bytes.
     #[wire(spec = "VAR_TYPE_FLOAT")]
     F32 = 7,
 }
 
-/// Axis of a debug variable; the values are those of `DEBUG_VAR_FLAG` without the four bits below them.
+/// Axis of a debug variable: the values of `DEBUG_VAR_FLAG`, shifted right by four bits.
 #[open_enum(u8, prefix = "VAR_FLAG_")]
 pub enum DebugVarAxis {
-    /// It belongs to no axis.
+    /// No axis.
     #[wire(spec = "NONE")]
     None = 0,
     /// ROLL.
@@ -129,12 +129,13 @@ pub struct DebugVars3Request;
     given = self.selected_mask.len(), echo = selected_mask
 )]
 pub struct DebugVars3ExtendedRequest {
-    /// Bit i of mask k selects variable 32 k + i. Send as many masks as reach the last selected variable.
+    /// Selection masks: bit i of mask k selects variable 32 k + i. Send as many masks as the last selected variable
+    /// requires.
     pub selected_mask: List<u32, 8>,
 }
 
 impl DebugVars3ExtendedRequest {
-    /// Requests the variables with these numbers, counted from 0.
+    /// Creates a request for the variables with these numbers, counted from 0.
     ///
     /// # Errors
     /// If one of them is greater than 255.
@@ -151,23 +152,23 @@ impl DebugVars3ExtendedRequest {
         Ok(request)
     }
 
-    /// The numbers of the variables, in the order of their values in the answer.
+    /// Numbers of the selected variables, in the order of their values in the answer.
     pub fn variables(&self) -> impl Iterator<Item = usize> {
         chosen(&self.selected_mask)
     }
 }
 
-/// Values of debug variables, packed one after the other.
+/// Values of all debug variables, one after the other.
 #[message(CMD_DEBUG_VARS_3, incoming, size = 0..=255)]
 #[derive(Copy)]
 pub struct DebugVars3<'a> {
-    /// Values; in the answer to a request with masks, the masks and the values.
+    /// Values, preceded by the masks in the answer to a request with masks.
     pub var_value: &'a [u8],
 }
 
 impl<'a> DebugVars3<'a> {
-    /// The values, by the kinds of the variables in the same order. It ends with the payload or with the kinds, and
-    /// after an error.
+    /// Decodes the values with the kinds of the variables, which must be in the same order. The iterator ends with the
+    /// payload, with the kinds, or after an error.
     ///
     /// ```
     /// use sbgc_proto::commands::{DebugVarKind, DebugVarValue, DebugVars3};
@@ -185,7 +186,7 @@ impl<'a> DebugVars3<'a> {
     /// Interprets the payload as the answer to a request with this number of masks.
     ///
     /// # Errors
-    /// If it has not even the masks.
+    /// If the payload is shorter than the masks.
     pub fn masked(&self, masks: usize) -> Result<DebugVars3Masked<'a>, DecodeError> {
         DebugVars3Masked::decode_with(self.var_value, masks).map(|(message, _)| message)
     }
@@ -193,7 +194,7 @@ impl<'a> DebugVars3<'a> {
 
 #[cfg(feature = "reflect")]
 impl DebugVars3<'_> {
-    /// Visits the values as numbers of the kinds that the variables have, each as `var_value[index]`.
+    /// Visits the values as numbers of these kinds, each as `var_value[index]`.
     ///
     /// # Errors
     /// If a kind is unknown, or the payload ends within a value. The values before it were visited.
@@ -211,8 +212,8 @@ impl DebugVars3<'_> {
 
 #[cfg(feature = "reflect")]
 impl DebugVars3Masked<'_> {
-    /// Visits the masks, then the values as numbers of the kinds that the chosen variables have, each as
-    /// `var_value[index]` with the number of its variable.
+    /// Visits the masks, then the values as numbers of these kinds, each as `var_value[index]` with the number of its
+    /// variable.
     ///
     /// # Errors
     /// If a kind is unknown, or the payload ends within a value. The values before it were visited.
@@ -263,29 +264,29 @@ fn chosen(masks: &[u32]) -> impl Iterator<Item = usize> {
         .flat_map(|(mask, first)| (0..32).filter(move |bit| mask >> bit & 1 != 0).map(move |bit| first + bit))
 }
 
-/// Values of the requested debug variables.
+/// Values of selected debug variables.
 ///
-/// The masks come first, as newer documents agree; the vendor's C library passes over them in a way that cannot be
-/// right.
+/// The masks come first, according to newer documents; the vendor's C library skips them in a way that cannot be
+/// correct.
 #[message(
     CMD_DEBUG_VARS_3, incoming, form = "masked", size = 4..=255, since = "2.72b0", context(masks: usize)
 )]
 pub struct DebugVars3Masked<'a> {
-    /// The masks of the request, as many as it had.
+    /// Masks, as in the request.
     #[wire(count = *masks)]
     pub selected_mask: List<u32, 8>,
-    /// The values.
+    /// Values of the selected variables.
     pub var_value: &'a [u8],
 }
 
 impl<'a> DebugVars3Masked<'a> {
-    /// Values, by the kinds of the requested variables.
+    /// Decodes the values with the kinds of the selected variables.
     pub fn values<K: IntoIterator<Item = DebugVarKind>>(&self, kinds: K) -> DebugVarValues<'a, K::IntoIter> {
         DebugVars3 { var_value: self.var_value }.values(kinds)
     }
 }
 
-/// The value of a debug variable.
+/// Value of a debug variable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -301,7 +302,7 @@ pub enum DebugVarValue {
 }
 
 impl DebugVarValue {
-    /// The number; a 64-bit float holds each of them.
+    /// Value as a 64-bit float, which represents all of them exactly.
     pub fn to_f64(self) -> f64 {
         match self {
             DebugVarValue::U8(value) => value.into(),
@@ -315,7 +316,7 @@ impl DebugVarValue {
     }
 }
 
-/// The values of a message, one after the other. Made by [`DebugVars3::values`].
+/// Iterator over the values of a message. Created by [`DebugVars3::values`].
 #[derive(Clone, Debug)]
 pub struct DebugVarValues<'a, K> {
     payload: &'a [u8],
@@ -324,7 +325,7 @@ pub struct DebugVarValues<'a, K> {
 }
 
 impl<'a, K> DebugVarValues<'a, K> {
-    /// What of the payload was not read yet.
+    /// Remaining payload bytes.
     pub fn rest(&self) -> &'a [u8] {
         self.rest
     }

@@ -1,4 +1,4 @@
-//! Auxiliary motors: up to seven besides those of the gimbal. Firmware 2.73+.
+//! Auxiliary motors: up to seven motors in addition to those of the gimbal. Firmware 2.73+.
 
 #[cfg(test)]
 mod tests;
@@ -10,7 +10,7 @@ use crate::units::{Angle, ControlRate, FineAngle, MicroRate, MotorAccelerationLi
 use crate::wire::List;
 
 flags! {
-    /// Auxiliary motors, and whether a command is confirmed. Spec: `EXT_MOTORS`.
+    /// Set of auxiliary motors, with a flag that requests a confirmation. Spec: `EXT_MOTORS`.
     pub struct ExtMotors: u8 {
         /// Motor 1.
         const MOTOR1 = 1 << 0;
@@ -32,21 +32,21 @@ flags! {
 }
 
 impl ExtMotors {
-    /// Number of motors.
+    /// Number of selected motors.
     pub const fn count(self) -> usize {
         // At most 7.
         (self.bits() & !Self::CONFIRM.bits()).count_ones() as usize
     }
 }
 
-/// Switches, homes or releases auxiliary motors.
+/// Turns auxiliary motors on or off, or moves them to their home position.
 ///
 /// Confirmed with [`ExtMotors::CONFIRM`].
 #[message(CMD_EXT_MOTORS_ACTION, outgoing, size = 2..=255, since = "2.73.0")]
 pub struct ExtMotorsAction<'a> {
     /// Motors the command applies to.
     pub for_motors: ExtMotors,
-    /// Action of the motors.
+    /// Action to perform.
     pub action: ExtMotorAction,
     /// Arguments of the action; none is known to have any.
     pub args: &'a [u8],
@@ -55,53 +55,56 @@ pub struct ExtMotorsAction<'a> {
 /// Action of an auxiliary motor. Spec: `EXT_MOTOR_ACTION`.
 #[open_enum(u8, prefix = "MOTOR_")]
 pub enum ExtMotorAction {
-    /// Off, and turns freely.
+    /// Turns the motor off and lets it turn freely.
     OffFloating = 1,
-    /// Off, and is braked.
+    /// Turns the motor off and brakes it.
     OffBrake = 2,
-    /// Comes to rest with less and less power, then off.
+    /// Stops the motor gradually, then turns it off.
     OffSafe = 3,
-    /// On.
+    /// Turns the motor on.
     On = 4,
-    /// Goes to the home position.
+    /// Moves to the home position.
     #[wire(spec = "HOME_POSITION")]
     HomePosition = 5,
-    /// Looks for the home position.
+    /// Searches for the home position.
     #[wire(spec = "SEARCH_HOME")]
     SearchHome = 6,
 }
 
-/// Gives set-points to auxiliary motors.
+/// Sends set-points to auxiliary motors.
 ///
-/// It is confirmed with [`ExtMotors::CONFIRM`]. How many set-points there are is unknown: there is one for each
-/// chosen motor here, while the vendor's libraries send three or seven copies of one. Best send one motor at a time.
+/// Confirmed with [`ExtMotors::CONFIRM`]. Sources disagree on the number of set-points: here, there is one for each
+/// selected motor, while the vendor's libraries send three or seven copies of one. To be safe, address one motor at a
+/// time.
 #[message(CMD_EXT_MOTORS_CONTROL, outgoing, size = 2..=58, since = "2.73.0")]
 pub struct ExtMotorsControl {
     /// Motors the command applies to.
     pub for_motors: ExtMotors,
-    /// What there is for each.
+    /// Flags that select the fields of each set-point.
     pub data_set: ExtMotorsControlDataSet,
-    /// The set-points, lowest motor first.
+    /// Set-points, lowest motor number first.
     #[wire(group, count = for_motors.count(), context = *data_set)]
     pub motors: List<ExtMotorSetpoint, 7>,
 }
 
-/// Set-point of one motor. The motor's [`ExtMotorControlMode`] defines the meaning of the numbers.
+/// Set-point of one motor. The [`ExtMotorControlMode`] of the motor determines the meaning of the values.
 #[record(context(set: ExtMotorsControlDataSet))]
 #[derive(Copy)]
 pub struct ExtMotorSetpoint {
-    /// Torque (32767 is the maximum), speed in steps of [`ControlRate`], or position in steps of [`Angle`].
+    /// Set-point in 2 bytes: torque (32767 is the maximum), speed in units of [`ControlRate`] or position in units of
+    /// [`Angle`].
     ///
-    /// A position that goes on after a turn is followed by the board.
+    /// The board keeps track of positions that continue beyond one turn.
     #[wire(when = !set.contains(ExtMotorsControlDataSet::SETPOINT_32BIT))]
     pub setpoint: Option<i16>,
-    /// Speed or position in 4 bytes, not torque; the steps are other ones and not published.
+    /// Set-point in 4 bytes: speed or position, but not torque. The units differ and are not published.
     #[wire(spec = "SETPOINT", flag = SETPOINT_32BIT)]
     pub setpoint_32bit: Option<i32>,
-    /// For speed the angle in place of the computed one, for position the maximum speed.
+    /// Parameter in 2 bytes: in speed mode, an angle that replaces the computed one; in position mode, the maximum
+    /// speed.
     #[wire(flag = PARAM1_16BIT)]
     pub param1: Option<i16>,
-    /// The same in 4 bytes.
+    /// Parameter in 4 bytes, with the same meaning.
     #[wire(spec = "PARAM1", when = set.has_long_param1())]
     pub param1_32bit: Option<i32>,
 }
@@ -109,23 +112,23 @@ pub struct ExtMotorSetpoint {
 flags! {
     /// Selection of set-point fields. Spec: `EXT_MOTORS_CONTROL_DATA_SET`.
     pub struct ExtMotorsControlDataSet: u8 {
-        /// The set-point has 4 bytes, not 2.
+        /// The set-point has 4 bytes instead of 2.
         const SETPOINT_32BIT = 1 << 0;
-        /// There is a parameter of 2 bytes.
+        /// The 2-byte parameter is present.
         const PARAM1_16BIT = 1 << 1;
-        /// There is a parameter of 4 bytes. It should not be set together with that of 2, which is taken then.
+        /// The 4-byte parameter is present. Do not set it together with the 2-byte one, which takes precedence.
         const PARAM1_32BIT = 1 << 2;
     }
 }
 
 impl ExtMotorsControlDataSet {
-    /// Whether there is a parameter of 4 bytes: its bit is set, and not that of the short one.
+    /// Whether the 4-byte parameter is present: its bit is set, and that of the 2-byte one is not.
     pub fn has_long_param1(self) -> bool {
         self.contains(Self::PARAM1_32BIT) && !self.contains(Self::PARAM1_16BIT)
     }
 }
 
-/// Sets how auxiliary motors are controlled, until the next restart.
+/// Configures the control of auxiliary motors until the next restart.
 ///
 /// Confirmed with [`ExtMotors::CONFIRM`].
 #[message(CMD_EXT_MOTORS_CONTROL_CONFIG, outgoing, size = 3..=12, since = "2.73.0", flags = data_set)]
@@ -141,10 +144,10 @@ pub struct ExtMotorsControlConfig {
     /// Maximum speed.
     #[wire(flag = MAX_SPEED)]
     pub max_speed: Option<MotorSpeedLimit>,
-    /// Maximum acceleration, for speed and position.
+    /// Maximum acceleration in speed and position mode.
     #[wire(flag = MAX_ACCELERATION)]
     pub max_acceleration: Option<MotorAccelerationLimit>,
-    /// Time in which an acceleration builds up, for speed and position.
+    /// Time in which the acceleration builds up, in speed and position mode.
     #[wire(unit = "ms", flag = JERK_SLOPE)]
     pub jerk_slope: Option<u16>,
     /// Maximum torque, relative to the maximum of the motor.
@@ -153,7 +156,7 @@ pub struct ExtMotorsControlConfig {
 }
 
 flags! {
-    /// Settings of auxiliary motors. Spec: `EXT_MOTORS_CONTROL_CONFIG_DATA_SET`.
+    /// Selection of auxiliary motor settings. Spec: `EXT_MOTORS_CONTROL_CONFIG_DATA_SET`.
     pub struct ExtMotorsControlConfigDataSet: u16 {
         /// Controlled quantity.
         const MODE = 1 << 0;
@@ -161,7 +164,7 @@ flags! {
         const MAX_SPEED = 1 << 1;
         /// Maximum acceleration.
         const MAX_ACCELERATION = 1 << 2;
-        /// Time in which an acceleration builds up.
+        /// Time in which the acceleration builds up.
         const JERK_SLOPE = 1 << 3;
         /// Maximum torque.
         const MAX_TORQUE = 1 << 4;
@@ -171,11 +174,11 @@ flags! {
 /// Controlled quantity of an auxiliary motor. Spec: `EXT_MOTOR_CONTROL_MODE`.
 #[open_enum(u8)]
 pub enum ExtMotorControlMode {
-    /// Its position.
+    /// Position.
     Position = 0,
-    /// Its speed.
+    /// Speed.
     Speed = 1,
-    /// Its torque.
+    /// Torque.
     Torque = 2,
 }
 
@@ -189,9 +192,9 @@ pub struct ExtMotorsStateRequest {
     pub data_set: ExtMotorsStateDataSet,
 }
 
-/// The state of one auxiliary motor.
+/// State of one auxiliary motor.
 ///
-/// It can be had as a data stream; the configuration of that is the payload of [`ExtMotorsStateRequest`].
+/// Also available as a data stream, whose configuration is the payload of [`ExtMotorsStateRequest`].
 #[message(CMD_EXT_MOTORS_STATE, incoming, size = 5..=50, since = "2.73.0", flags = data_set)]
 #[derive(Copy)]
 pub struct ExtMotorsState {
@@ -215,10 +218,10 @@ pub struct ExtMotorsState {
     /// Target speed.
     #[wire(flag = SPEED16_SETPOINT)]
     pub speed16_setpoint: Option<ControlRate>,
-    /// Speed in fine steps.
+    /// Speed, at high resolution.
     #[wire(flag = SPEED32)]
     pub speed32: Option<MicroRate>,
-    /// Target speed, in fine steps.
+    /// Target speed, at high resolution.
     #[wire(flag = SPEED32_SETPOINT)]
     pub speed32_setpoint: Option<MicroRate>,
     /// Position.
@@ -227,10 +230,10 @@ pub struct ExtMotorsState {
     /// Target position.
     #[wire(flag = ANGLE16_SETPOINT)]
     pub angle16_setpoint: Option<Angle>,
-    /// Position in fine steps.
+    /// Position, at high resolution.
     #[wire(flag = ANGLE32)]
     pub angle32: Option<FineAngle>,
-    /// Target position, in fine steps.
+    /// Target position, at high resolution.
     #[wire(flag = ANGLE32_SETPOINT)]
     pub angle32_setpoint: Option<FineAngle>,
     /// Motor state and pins.
@@ -242,17 +245,17 @@ pub struct ExtMotorsState {
     /// Maximum acceleration. The unit is not documented here; see [`ExtMotorsControlConfig::max_acceleration`].
     #[wire(flag = MAX_ACCELERATION)]
     pub max_acceleration: Option<u16>,
-    /// Time in which an acceleration builds up. The unit is not given here; see
+    /// Time in which the acceleration builds up. The unit is not documented here; see
     /// [`ExtMotorsControlConfig::jerk_slope`].
     #[wire(flag = JERK_SLOPE)]
     pub jerk_slope: Option<u16>,
     /// Maximum torque. The unit is not documented here; see [`ExtMotorsControlConfig::max_torque`].
     #[wire(flag = MAX_TORQUE)]
     pub max_torque: Option<u16>,
-    /// Current.
+    /// Motor current.
     #[wire(unit = "mA", flag = CURRENT)]
     pub current: Option<u16>,
-    /// Voltage of the battery.
+    /// Battery voltage.
     #[wire(unit = "mV", flag = BATTERY_VOLTAGE)]
     pub battery_voltage: Option<u16>,
     /// Temperature of the motor.
@@ -264,7 +267,7 @@ pub struct ExtMotorsState {
 }
 
 flags! {
-    /// Parts of the state of an auxiliary motor. Spec: `EXT_MOTORS_STATE_DATA_SET`.
+    /// Selection of state fields of an auxiliary motor. Spec: `EXT_MOTORS_STATE_DATA_SET`.
     pub struct ExtMotorsStateDataSet: u32 {
         /// Controlled quantity.
         const CONTROL_MODE = 1 << 0;
@@ -276,17 +279,17 @@ flags! {
         const SPEED16 = 1 << 3;
         /// Target speed.
         const SPEED16_SETPOINT = 1 << 4;
-        /// Speed in fine steps.
+        /// Speed, at high resolution.
         const SPEED32 = 1 << 5;
-        /// Target speed, in fine steps.
+        /// Target speed, at high resolution.
         const SPEED32_SETPOINT = 1 << 6;
         /// Position.
         const ANGLE16 = 1 << 7;
         /// Target position.
         const ANGLE16_SETPOINT = 1 << 8;
-        /// Position in fine steps.
+        /// Position, at high resolution.
         const ANGLE32 = 1 << 9;
-        /// Target position, in fine steps.
+        /// Target position, at high resolution.
         const ANGLE32_SETPOINT = 1 << 10;
         /// Motor state and pins.
         const STATE_FLAGS = 1 << 11;
@@ -294,13 +297,13 @@ flags! {
         const MAX_SPEED = 1 << 12;
         /// Maximum acceleration.
         const MAX_ACCELERATION = 1 << 13;
-        /// Time in which an acceleration builds up.
+        /// Time in which the acceleration builds up.
         const JERK_SLOPE = 1 << 14;
         /// Maximum torque.
         const MAX_TORQUE = 1 << 15;
-        /// Current.
+        /// Motor current.
         const CURRENT = 1 << 16;
-        /// Voltage of the battery.
+        /// Battery voltage.
         const BATTERY_VOLTAGE = 1 << 17;
         /// Temperature of the motor.
         const MOTOR_TEMPERATURE = 1 << 18;
@@ -309,26 +312,26 @@ flags! {
     }
 }
 
-/// Whether an auxiliary motor is on, and its pins. Spec: `EXT_MOTOR_STATE_FLAG`.
+/// Power state and pins of an auxiliary motor. Spec: `EXT_MOTOR_STATE_FLAG`.
 #[bit_fields(u16)]
 pub struct ExtMotorStateFlags {
-    /// Whether it is on, or how it is off.
+    /// Power state of the motor.
     #[wire(bits = 0..=1, spec = "MOTOR_STATE")]
     pub power: ExtMotorPower,
-    /// The level of the index pin.
+    /// Level of the index pin.
     #[wire(bits = 2, spec = "INDEX_PIN_STATE")]
     pub index_pin: bool,
 }
 
-/// Whether an auxiliary motor is on, or how it is off: bits 0 and 1 of its state.
+/// Power state of an auxiliary motor: bits 0 and 1 of its state.
 #[open_enum(u8)]
 pub enum ExtMotorPower {
-    /// Off and braked.
+    /// Off, braked.
     OffBrake = 0,
     /// On.
     On = 1,
-    /// Off, turns freely.
+    /// Off, turning freely.
     OffFloating = 2,
-    /// Coming to rest.
+    /// Stopping gradually before it turns off.
     OffSafeStop = 3,
 }

@@ -1,4 +1,4 @@
-//! External sensors: what they report, and messages that the board passes on to and from them.
+//! External sensors: debug information, and messages forwarded to and from them.
 
 use sbgc_proto_macros::{message, open_enum};
 
@@ -14,23 +14,23 @@ pub struct ExtImuDebugInfoRequest;
 
 /// Debug information of the external IMU.
 ///
-/// It may also be sent unsolicited: newer documents call it a notification.
+/// It may also be sent unsolicited; newer documents call it a notification.
 #[message(CMD_EXT_IMU_DEBUG_INFO, incoming, size = 74, since = "2.66")]
 pub struct ExtImuDebugInfo {
-    /// State of the estimate of attitude.
+    /// State of the attitude and heading reference system.
     pub ahrs_debug_info: AhrsDebugInfo,
-    /// Rotation matrix that came from the sensor, in coordinates East, North, down.
+    /// Rotation matrix reported by the sensor, in East, North, down coordinates.
     ///
-    /// The order is not stated; a third-party library has it row after row.
+    /// The order of elements is not documented; a third-party library reads it row by row.
     #[wire(range = -1.0..=1.0)]
     pub dcm: [Float; 9],
-    /// Linear acceleration without gravity, in the sensor's own coordinates. The unit is not stated.
+    /// Linear acceleration without gravity, in sensor coordinates. The unit is not documented.
     pub acc_body: PerXyz<Float>,
 }
 
-/// Passes a message on to the external inertial sensor, a GPS_IMU.
+/// Forwards a message to the external IMU, a GPS_IMU.
 ///
-/// If the sensor answers, that comes as [`ExtImuCmd`].
+/// An answer of the sensor is reported as [`ExtImuCmd`].
 #[message(CMD_EXT_IMU_CMD, outgoing, size = 1..=255)]
 pub struct ExtImuCmdRequest<'a> {
     /// Command of the sensor's own protocol.
@@ -39,7 +39,7 @@ pub struct ExtImuCmdRequest<'a> {
     pub data: &'a [u8],
 }
 
-/// A message from the external inertial sensor, a GPS_IMU.
+/// Message from the external IMU, a GPS_IMU.
 #[message(CMD_EXT_IMU_CMD, incoming, size = 1..=255)]
 pub struct ExtImuCmd<'a> {
     /// Command of the sensor's own protocol.
@@ -48,10 +48,10 @@ pub struct ExtImuCmd<'a> {
     pub data: &'a [u8],
 }
 
-/// Passes a message on to a GPS_IMU, on boards of the extended family.
+/// Forwards a message to a GPS_IMU, on boards of the extended family.
 ///
-/// If the sensor answers, that comes as [`ExtSensCmd`]. A remark in one of the vendor's libraries leaves out the
-/// flags; its own code and the other libraries have them.
+/// An answer of the sensor is reported as [`ExtSensCmd`]. A comment in one of the vendor's libraries omits the flags,
+/// but its code and the other libraries have them.
 #[message(CMD_EXT_SENS_CMD, outgoing, size = 2..=255, since = "2.68b7")]
 pub struct ExtSensCmdRequest<'a> {
     /// Options for forwarding the message.
@@ -62,9 +62,9 @@ pub struct ExtSensCmdRequest<'a> {
     pub data: &'a [u8],
 }
 
-/// A message from a GPS_IMU, on boards of the extended family.
+/// Message from a GPS_IMU, on boards of the extended family.
 ///
-/// This direction has no flags.
+/// There are no flags in this direction.
 #[message(CMD_EXT_SENS_CMD, incoming, size = 1..=255, since = "2.68b7")]
 pub struct ExtSensCmd<'a> {
     /// Command of the sensor's own protocol.
@@ -76,23 +76,23 @@ pub struct ExtSensCmd<'a> {
 flags! {
     /// Options for forwarding a message to a sensor.
     pub struct ExtSensFlags: u8 {
-        /// Before others.
+        /// Sends the message before others.
         const HIGH_PRIORITY = 1 << 0;
     }
 }
 
-/// A command of the GPS_IMU's own protocol, whose payloads are not part of this one. Spec: `GPS_IMU_CMD`.
+/// Command of the protocol of the GPS_IMU, whose payloads are not decoded here. Spec: `GPS_IMU_CMD`.
 #[open_enum(u8)]
 pub enum GpsImuCmd {
     /// Confirms a command.
     Confirm = 1,
     /// Resets the sensor.
     Reset = 2,
-    /// Tells of a reset.
+    /// Notice of a reset.
     ResetNotify = 3,
-    /// Asks what the sensor is.
+    /// Requests device information.
     GetDeviceInfo = 4,
-    /// Sensor type.
+    /// Device information.
     DeviceInfo = 5,
     /// Requests data.
     GetData = 6,
@@ -100,14 +100,14 @@ pub enum GpsImuCmd {
     GetDataStream = 7,
     /// Data.
     Data = 8,
-    /// Calibrates.
+    /// Calibrates the sensor.
     Calib = 9,
-    /// Goes to the boot loader.
+    /// Enters the bootloader.
     BootMode = 10,
-    /// Logs data of the user.
+    /// User data for the log.
     UserDataLog = 11,
-    /// Requests the configuration of the user's log.
+    /// Requests the configuration of the user data log.
     GetUserConfLog = 12,
-    /// The configuration of the user's log.
+    /// Configuration of the user data log.
     UserConfLog = 13,
 }

@@ -1,12 +1,13 @@
-//! The inertial sensors: choosing one, helping its estimate of attitude, and external sensors.
+//! Inertial sensors: selection, support of the attitude estimation, and external sensors.
 //!
-//! A flight controller that knows attitude and heading can help the gimbal in one of two ways. The first choice is to
-//! give the attitude of the frame, by [`AhrsHelperRequest`], 20 to 50 times per second; the accelerometer may then be
-//! left out, the gyroscope stays in use. It takes the exact attitude, so it does not suit a gimbal that hangs on
-//! dampers. The other is to give linear accelerations, by [`HelperData`], 10 to 20 times per second: the gimbal still
-//! finds its attitude itself, and no longer drifts when accelerated. Both can give the heading.
+//! A flight controller that knows attitude and heading can support the gimbal in one of two ways. The preferred way is
+//! to send the attitude of the frame with [`AhrsHelperRequest`], 20 to 50 times per second. The gimbal can then do
+//! without its accelerometer, but still needs its gyroscope. This requires the exact attitude, so it does not suit
+//! gimbals mounted on dampers. The other way is to send linear accelerations with [`HelperData`], 10 to 20 times per
+//! second: the gimbal still estimates its attitude itself, but no longer drifts when accelerated. Both messages can
+//! include the heading.
 //!
-//! Vectors are in the system East, North, down. To convert from or to North, East, down, swap X and Y.
+//! Vectors are in the East, North, down coordinate system. To convert from or to North, East, down, swap X and Y.
 
 mod ahrs;
 mod external;

@@ -1,4 +1,4 @@
-//! Which sensor commands work on, and the zero of its gyroscope.
+//! Selection of the active IMU, and correction of gyroscope zero.
 
 use sbgc_proto_macros::{message, open_enum};
 
@@ -8,47 +8,47 @@ use crate::wire::PerXyz;
 
 /// Selects the IMU for calibrations and real-time data.
 ///
-/// The board ignores it if that sensor is not connected. Sources disagree on whether it confirms: accept a
+/// The board ignores the command if that IMU is not connected. Sources disagree on whether it confirms: accept a
 /// `CMD_CONFIRM`, but do not rely on one.
 #[message(CMD_SELECT_IMU_3, outgoing, form = "simple", default, size = 1, length = 1)]
 pub struct SelectImu3 {
-    /// Sensor to use.
+    /// IMU to select.
     pub imu_type: ImuType,
 }
 
-/// Selects an IMU and calibrates it, or resets, copies or switches its calibration. Newer firmware.
+/// Selects an IMU and calibrates it; or resets, copies, enables or disables its calibration. Newer firmware.
 ///
-/// The vendor's libraries disagree on the length, 11 or 12 bytes, which leaves 7 or 8 bytes reserved; both are taken.
-/// Prefer [`SelectImu3`] with [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro) or
-/// [`CalibMag`](crate::commands::CalibMag), which do the same.
+/// The vendor's libraries disagree on the length, 11 or 12 bytes with 7 or 8 reserved; both are supported here. Prefer
+/// [`SelectImu3`] followed by [`CalibAcc`](crate::commands::CalibAcc), [`CalibGyro`](crate::commands::CalibGyro) or
+/// [`CalibMag`](crate::commands::CalibMag), which have the same effect.
 #[message(CMD_SELECT_IMU_3, outgoing, form = "extended", size = 11..=12, length = 11.., answer = Confirm)]
 pub struct SelectImu3Extended<'a> {
-    /// Sensor to use.
+    /// IMU to select.
     pub imu_type: CalibImu,
     /// Action to perform.
     pub action: CalibAction,
-    /// Sampling time, gyroscope only.
+    /// Sampling time of the gyroscope; 0 for other sensors.
     pub time_ms: CalibrationTime,
     /// Reserved, 7 or 8 zero bytes.
     pub reserved: &'a [u8],
 }
 
-/// Corrects the zero of a gyroscope by hand.
+/// Corrects the zero of a gyroscope manually.
 ///
-/// Neither confirmed nor answered.
+/// Not confirmed.
 #[message(CMD_GYRO_CORRECTION, outgoing, size = 9)]
 pub struct GyroCorrection {
-    /// Sensor, counted from 0, unlike in [`SelectImu3`]. One library uses 1 and 2 here, which is not followed.
+    /// IMU to correct, numbered from 0, unlike in [`SelectImu3`]. One library uses 1 and 2 instead.
     pub imu_type: ImuIndex,
-    /// Offset of the sensor's own axes.
+    /// Correction for the axes of the sensor.
     pub gyro_zero_corr: PerXyz<GyroZero>,
-    /// Offset about the vertical, to correct the heading only; the board spreads it over the axes.
+    /// Correction about the vertical axis, for heading drift only; the board distributes it over the sensor axes.
     pub gyro_zero_heading_corr: GyroZero,
 }
 
-/// IMU, counted from 0. Spec: `IMU_INDEX0`.
+/// IMU, numbered from 0. Spec: `IMU_INDEX0`.
 ///
-/// `CMD_GYRO_CORRECTION` and the data stream of `CMD_AHRS_HELPER` count so; all else has [`ImuType`].
+/// Used by `CMD_GYRO_CORRECTION` and the data stream of `CMD_AHRS_HELPER`; all other commands use [`ImuType`].
 #[open_enum(u8)]
 pub enum ImuIndex {
     /// IMU on the camera platform.

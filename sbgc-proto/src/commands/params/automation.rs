@@ -1,17 +1,17 @@
-//! Values of what the board does by itself: actions at start, snapping to positions, step signals, stabilized axes.
+//! Types of the settings for automated functions: start-up actions, fixed positions, step signals and stabilized axes.
 
 use sbgc_proto_macros::{bit_fields, open_enum};
 
 use super::{MenuCommand, SerialSpeed};
 use crate::commands::TriggerPinId;
 
-/// An action that is started by a signal when the board starts.
+/// Action that a signal triggers at start-up.
 #[bit_fields(u8)]
 pub struct StartupAction {
     /// Action to perform.
     #[wire(bits = 0..=6)]
     pub action: MenuCommand,
-    /// Whether the menu button must be pressed for it.
+    /// Whether the menu button must be pressed.
     #[wire(bits = 7, spec = "MENU_BUTTON_PRESSED")]
     pub button_pressed: bool,
 }
@@ -19,26 +19,26 @@ pub struct StartupAction {
 /// Fixed positions of an axis.
 #[bit_fields(u8)]
 pub struct ForcePosition {
-    /// The angle between two positions.
+    /// Angle between two positions.
     #[wire(bits = 0..=2)]
     pub snap: SnapAngle,
-    /// Whether a press of the button starts it.
+    /// Whether a button press moves the axis to the position.
     #[wire(bits = 4, spec = "FORCE_POSITION_FLAG_BUTTON_PRESS")]
     pub on_button_press: bool,
-    /// Whether it is done at start.
+    /// Whether the axis moves to the position at start-up.
     #[wire(bits = 5, spec = "FORCE_POSITION_FLAG_STARTUP")]
     pub on_startup: bool,
-    /// Whether it goes beyond the soft limits.
+    /// Whether the motion ignores the soft limits.
     #[wire(bits = 6, spec = "FORCE_POSITION_FLAG_IGNORE_LIMITS")]
     pub ignores_limits: bool,
-    /// Whether the position is adjusted finely afterwards.
+    /// Whether the position can be fine-adjusted afterwards.
     #[wire(bits = 7, spec = "FORCE_POSITION_FLAG_FINE_ADJUST")]
     pub fine_adjust: bool,
 }
 
-/// The angle between two fixed positions. Spec: `FORCE_POSITION_SNAP`.
+/// Angle between two fixed positions. Spec: `FORCE_POSITION_SNAP`.
 ///
-/// The specification lists the angles; that the numbers are indexes into that list is from the vendor's library.
+/// The specification lists the angles; according to the vendor's library, the numbers are indexes into that list.
 #[open_enum(u8)]
 pub enum SnapAngle {
     /// One position only, at 0 degrees.
@@ -55,26 +55,27 @@ pub enum SnapAngle {
     Degrees180 = 3,
 }
 
-/// Step signal: button presses converted to a signal of several steps.
+/// Step signal: conversion of button presses to a signal with several steps.
 #[bit_fields(u8)]
 pub struct StepSignalConfig {
-    /// The number of steps.
+    /// Number of steps.
     #[wire(bits = 0..=2)]
     pub steps: StepCount,
     /// Whether the menu button must be pressed.
     #[wire(bits = 3, spec = "MENU_BUTTON_PRESSED")]
     pub button_pressed: bool,
-    /// Whether the signal begins with zero.
+    /// Whether the signal starts at zero.
     #[wire(bits = 5, spec = "INITIAL_VALUE_ZERO")]
     pub starts_at_zero: bool,
-    /// Change of the source that counts as a step.
+    /// Change of the source signal that counts as a step.
     #[wire(bits = 6..=7)]
     pub mode: StepSignalMode,
 }
 
-/// The number of steps of a step signal. Spec: `STEP_SIGNAL_STEPS`.
+/// Number of steps of a step signal. Spec: `STEP_SIGNAL_STEPS`.
 ///
-/// The specification lists the numbers of steps; that these are indexes into that list is from the vendor's library.
+/// The specification lists the numbers of steps; according to the vendor's library, the values are indexes into that
+/// list.
 #[open_enum(u8)]
 pub enum StepCount {
     /// 2 steps.
@@ -103,38 +104,38 @@ pub enum StepCount {
     Steps100 = 7,
 }
 
-/// Change of the source that counts as a step. Spec: `STEP_SIGNAL_MODE`.
+/// Change of the source signal that counts as a step. Spec: `STEP_SIGNAL_MODE`.
 #[open_enum(u8, prefix = "MODE_LEVEL_")]
 pub enum StepSignalMode {
-    /// Falling.
+    /// Falling edge.
     Low = 0,
-    /// Rising.
+    /// Rising edge.
     High = 1,
-    /// Rising and falling.
+    /// Rising and falling edges.
     LowHigh = 2,
 }
 
 /// Euler axis stabilized by a motor.
 #[bit_fields(u8)]
 pub struct StabilizedAxis {
-    /// The axis that it is assigned to.
+    /// Axis that the motor is assigned to.
     #[wire(bits = 0..=1, spec = "STAB_AXIS")]
     pub axis: StabAxis,
-    /// Whether ROLL may be chosen when it matches best.
+    /// Whether ROLL is selected automatically if it matches best.
     #[wire(bits = 2)]
     pub auto_roll: bool,
-    /// Whether PITCH may be chosen when it matches best.
+    /// Whether PITCH is selected automatically if it matches best.
     #[wire(bits = 3)]
     pub auto_pitch: bool,
-    /// Whether YAW may be chosen when it matches best.
+    /// Whether YAW is selected automatically if it matches best.
     #[wire(bits = 4)]
     pub auto_yaw: bool,
 }
 
-/// The Euler axis that a motor is assigned to. Spec: `STAB_AXIS`.
+/// Euler axis that a motor is assigned to. Spec: `STAB_AXIS`.
 #[open_enum(u8)]
 pub enum StabAxis {
-    /// The motor's own.
+    /// The own axis of the motor.
     Default = 0,
     /// ROLL.
     Roll = 1,
@@ -144,27 +145,27 @@ pub enum StabAxis {
     Yaw = 3,
 }
 
-/// Options of a MavLink channel.
+/// Options of a MAVLink channel.
 #[bit_fields(u8)]
 pub struct MavConfig {
-    /// Speed of the port.
+    /// Baud rate of the port.
     #[wire(bits = 0..=2, spec = "FLAG_BAUD_MASK")]
     pub baud: SerialSpeed,
-    /// Whether bytes have even parity.
+    /// Whether even parity is used.
     #[wire(bits = 3, spec = "FLAG_PARITY_EVEN")]
     pub parity_even: bool,
     /// Whether heartbeats are sent.
     #[wire(bits = 4, spec = "FLAG_HEARTBEAT")]
     pub heartbeat: bool,
-    /// Whether the vendor's program gets debug messages.
+    /// Whether debug messages are sent to the vendor's GUI.
     #[wire(bits = 5, spec = "FLAG_DEBUG")]
     pub debug: bool,
-    /// Whether the values of remote control are used.
+    /// Whether RC values are used.
     #[wire(bits = 6, spec = "FLAG_RC")]
     pub rc: bool,
 }
 
-/// A port to which another device is connected. Spec: `MAV_SRC`, `EXT_IMU_PORT`.
+/// Port that another device is connected to. Spec: `MAV_SRC`, `EXT_IMU_PORT`.
 #[open_enum(u8)]
 pub enum DevicePort {
     /// None.
@@ -172,17 +173,17 @@ pub enum DevicePort {
     /// UART1.
     #[wire(spec = "UART1")]
     Uart1 = 1,
-    /// The port of the serial receiver.
+    /// Serial receiver port.
     RcSerial = 2,
     /// UART2.
     #[wire(spec = "UART2")]
     Uart2 = 3,
-    /// The virtual port of USB.
+    /// USB virtual port.
     #[wire(spec = "USB_VCP")]
     UsbVcp = 4,
 }
 
-/// Axes controlled by a MavLink device. Spec: `MAV_CTRL_MODE`.
+/// Axes controlled by a MAVLink device. Spec: `MAV_CTRL_MODE`.
 #[open_enum(u8)]
 pub enum MavControlMode {
     /// None.
@@ -193,18 +194,18 @@ pub enum MavControlMode {
     AllAxes = 2,
 }
 
-/// Interrupt condition of a pin, and the pin.
+/// Pin that signals interrupts, and the conditions.
 ///
-/// The pin has five bits: the buzzer and the power of the Spektrum connector cannot be expressed.
+/// The pin has five bits, so the buzzer and the power of the Spektrum connector cannot be expressed.
 #[bit_fields(u16)]
 pub struct InterruptConfig {
-    /// The pin; 0 is none.
+    /// Pin; 0 for none.
     #[wire(bits = 0..=4)]
     pub pin: TriggerPinId,
-    /// Whether an emergency stop signals.
+    /// Whether an emergency stop is signalled.
     #[wire(bits = 5)]
     pub on_emergency_stop: bool,
-    /// Whether reaching the parking position signals.
+    /// Whether reaching the parking position is signalled.
     #[wire(bits = 6)]
     pub on_parking_position: bool,
 }

@@ -1,22 +1,22 @@
-//! Values of encoders.
+//! Types of the encoder settings.
 
 use sbgc_proto_macros::{bit_fields, open_enum};
 
-/// Encoder type of an axis, and its options.
+/// Encoder model of an axis, and its options.
 #[bit_fields(u8)]
 pub struct EncoderSelection {
-    /// Model and interface.
+    /// Model and interface of the encoder.
     #[wire(bits = 0..=3)]
     pub encoder_type: EncoderType,
-    /// Whether the board assumes the sensor instead of detecting it.
+    /// Whether detection of the encoder is skipped.
     #[wire(bits = 4)]
     pub skip_detection: bool,
-    /// Whether there are gears between it and the axis.
+    /// Whether the encoder is geared to its axis.
     #[wire(bits = 7, spec = "ENCODER_IS_GEARED")]
     pub geared: bool,
 }
 
-/// Model and interface of an encoder; 0 is none. Spec: `ENCODER_TYPE`.
+/// Model and interface of an encoder; 0 for none. Spec: `ENCODER_TYPE`.
 #[open_enum(u8, prefix = "ENC_TYPE_")]
 pub enum EncoderType {
     /// AMS AS5048A, SPI.
@@ -31,24 +31,24 @@ pub enum EncoderType {
     /// CUI AMT203, SPI.
     #[wire(spec = "ENC_TYPE_AMT203")]
     Amt203 = 4,
-    /// US Digital MA3, pulse width of 10 bits.
+    /// US Digital MA3, 10-bit pulse width.
     #[wire(spec = "ENC_TYPE_MA3_10BIT")]
     Ma3Bits10 = 5,
-    /// US Digital MA3, pulse width of 12 bits.
+    /// US Digital MA3, 12-bit pulse width.
     #[wire(spec = "ENC_TYPE_MA3_12BIT")]
     Ma3Bits12 = 6,
-    /// Analog.
+    /// Analog encoder.
     Analog = 7,
-    /// That of external motor driver 1.
+    /// Encoder of external motor driver 1.
     #[wire(spec = "ENC_TYPE_I2C_DRV1")]
     I2cDriver1 = 8,
-    /// That of external motor driver 2.
+    /// Encoder of external motor driver 2.
     #[wire(spec = "ENC_TYPE_I2C_DRV2")]
     I2cDriver2 = 9,
-    /// That of external motor driver 3.
+    /// Encoder of external motor driver 3.
     #[wire(spec = "ENC_TYPE_I2C_DRV3")]
     I2cDriver3 = 10,
-    /// That of external motor driver 4.
+    /// Encoder of external motor driver 4.
     #[wire(spec = "ENC_TYPE_I2C_DRV4")]
     I2cDriver4 = 11,
     /// AMS AS5600, pulse width.
@@ -59,14 +59,14 @@ pub enum EncoderType {
     As5600I2c = 13,
     /// RLS Orbis, SPI.
     RlsOrbis = 14,
-    /// RLS Orbis, pulse width. The specification prints the name without `ENC_`.
+    /// RLS Orbis, pulse width. The specification gives the name without `ENC_`.
     RlsOrbisPwm = 15,
 }
 
 /// Options for reading an encoder. Spec: `ENCODER_CFG`.
 ///
-/// The names are for encoders on SPI. For those of external motor drivers the number is the driver's own type of
-/// encoder, and the names mean nothing.
+/// The names apply to SPI encoders. For encoders of external motor drivers, the number is an encoder type defined by
+/// the driver, and the names do not apply.
 #[open_enum(u8)]
 pub enum EncoderConfig {
     /// SPI at 1 MHz.

@@ -1,16 +1,16 @@
-//! Values of what is connected to the board: external IMUs and sensors, buttons, extended encoders.
+//! Types of the settings for connected devices: external IMUs and sensors, buttons and encoders.
 
 use sbgc_proto_macros::{bit_fields, open_enum};
 
 use crate::commands::TriggerPinId;
 
-/// Model of an external IMU; 0 is none. Spec: `EXT_IMU_TYPE`.
+/// Model of an external IMU; 0 for none. Spec: `EXT_IMU_TYPE`.
 #[open_enum(u8)]
 pub enum ExtImuType {
-    /// An autopilot that speaks MavLink 1.
+    /// Autopilot with MAVLink 1.
     #[wire(spec = "MavLink1")]
     MavLink1 = 1,
-    /// An autopilot that speaks MavLink 2.
+    /// Autopilot with MAVLink 2.
     #[wire(spec = "MavLink2")]
     MavLink2 = 2,
     /// Vectornav VN200.
@@ -30,42 +30,42 @@ pub enum ExtImuPosition {
     AboveOuter = 2,
     /// Below the middle motor.
     BelowMiddle = 8,
-    /// With the main IMU, on the camera platform.
+    /// On the camera platform, with the main IMU.
     MainImu = 9,
 }
 
-/// An extra button: its pin, and how it works. Newer firmware.
+/// Extra button: its pin and options. Newer firmware.
 ///
-/// The pin has five bits as the vendor's library reads them: the buzzer and the power of the Spektrum connector
+/// According to the vendor's library, the pin has five bits, so the buzzer and the power of the Spektrum connector
 /// cannot be expressed.
 #[bit_fields(u8)]
 pub struct ExtraButton {
-    /// The pin; 0 is none.
+    /// Pin; 0 for none.
     #[wire(bits = 0..=4)]
     pub pin: TriggerPinId,
-    /// Whether it stays pressed until it is pressed again.
+    /// Whether the button latches: it stays pressed until pressed again.
     #[wire(bits = 6)]
     pub latching: bool,
-    /// Whether its level is inverted.
+    /// Whether the level is inverted.
     #[wire(bits = 7, spec = "INVERT")]
     pub inverted: bool,
 }
 
-/// More on how an encoder is read. Newer firmware; bits 8 to 15 are not listed.
+/// Further options of an encoder. Newer firmware; bits 8 to 15 are not published.
 #[bit_fields(u16)]
 pub struct EncoderConfigExt {
-    /// Its resolution in bits, less 12.
+    /// Resolution in bits, minus 12.
     #[wire(bits = 0..=4)]
     pub resolution: u8,
-    /// Number of turns it counts.
+    /// Size of the turn counter.
     #[wire(bits = 5..=7)]
     pub multi_turn: MultiTurn,
 }
 
-/// Bits in which an encoder counts turns. The specification has no names for them.
+/// Size of an encoder's turn counter. The specification does not name the values.
 #[open_enum(u8)]
 pub enum MultiTurn {
-    /// It counts none.
+    /// No turn counter.
     #[wire(spec = "NONE")]
     None = 0,
     /// 12 bits.
@@ -82,7 +82,7 @@ pub enum MultiTurn {
     Bits24 = 4,
 }
 
-/// A sensor that is connected to the IMU on the CAN bus. Spec: `CAN_IMU_EXT_SENS_TYPE`. All are of newer firmware.
+/// External sensor connected to the CAN IMU. Spec: `CAN_IMU_EXT_SENS_TYPE`. Newer firmware.
 #[open_enum(u8)]
 pub enum CanImuSensor {
     /// None.
@@ -90,19 +90,19 @@ pub enum CanImuSensor {
     /// KVH 1725.
     #[wire(spec = "KVH_1725")]
     Kvh1725 = 1,
-    /// KVH 1750 with accelerometers to 2 g.
+    /// KVH 1750 with 2 g accelerometers.
     #[wire(spec = "KVH_1750_ACC_2G")]
     Kvh1750Acc2g = 2,
-    /// KVH 1750 with accelerometers to 10 g.
+    /// KVH 1750 with 10 g accelerometers.
     #[wire(spec = "KVH_1750_ACC_10G")]
     Kvh1750Acc10g = 3,
-    /// KVH 1750 with accelerometers to 30 g.
+    /// KVH 1750 with 30 g accelerometers.
     #[wire(spec = "KVH_1750_ACC_30G")]
     Kvh1750Acc30g = 4,
-    /// KVH 1775 with accelerometers to 10 g.
+    /// KVH 1775 with 10 g accelerometers.
     #[wire(spec = "KVH_1775_ACC_10G")]
     Kvh1775Acc10g = 5,
-    /// KVH 1775 with accelerometers to 25 g.
+    /// KVH 1775 with 25 g accelerometers.
     #[wire(spec = "KVH_1775_ACC_25G")]
     Kvh1775Acc25g = 6,
     /// KVH 1760.

@@ -1,4 +1,4 @@
-//! Values of the board's hardware: motor outputs, ports, buses, the beeper.
+//! Types of the hardware settings: motor outputs, ports, buses and buzzer.
 
 use crate::declare::flags;
 use sbgc_proto_macros::open_enum;
@@ -6,24 +6,24 @@ use sbgc_proto_macros::open_enum;
 /// Switching frequency of the motor drivers. Spec: `PWM_FREQ`.
 #[open_enum(u8, prefix = "PWM_FREQ_")]
 pub enum PwmFrequency {
-    /// Low: audible, minimum losses.
+    /// Low frequency: audible, minimum losses.
     Low = 0,
-    /// High: hardly audible.
+    /// High frequency: barely audible.
     High = 1,
-    /// Ultrasonic, maximum losses.
+    /// Ultrasonic frequency: maximum losses.
     UltraHigh = 2,
 }
 
 /// Motor output of an axis. Spec: `MOTOR_OUTPUT`.
 #[open_enum(u8)]
 pub enum MotorOutput {
-    /// None: the axis has no motor.
+    /// None; the axis has no motor.
     Disabled = 0,
-    /// The board's own output for ROLL.
+    /// Motor output ROLL of the board.
     Roll = 1,
-    /// The board's own output for PITCH.
+    /// Motor output PITCH of the board.
     Pitch = 2,
-    /// The board's own output for YAW.
+    /// Motor output YAW of the board.
     Yaw = 3,
     /// External driver 1 on the I2C bus.
     #[wire(spec = "I2C_DRV1")]
@@ -39,7 +39,7 @@ pub enum MotorOutput {
     I2cDriver4 = 7,
 }
 
-/// Speed of a serial port. Spec: `SERIAL_SPEED`.
+/// Baud rate of a serial port. Spec: `SERIAL_SPEED`.
 #[open_enum(u8)]
 pub enum SerialSpeed {
     /// 115200 bits per second.
@@ -63,7 +63,7 @@ pub enum SerialSpeed {
 }
 
 impl SerialSpeed {
-    /// Bits per second; `None` for an unknown speed.
+    /// Baud rate in bits per second; `None` for an unknown value.
     ///
     /// ```
     /// use sbgc_proto::commands::SerialSpeed;
@@ -83,7 +83,7 @@ impl SerialSpeed {
     }
 }
 
-/// Speed of the bus to the sensors. Spec: `I2C_SPEED_FAST`.
+/// Clock speed of the sensor bus. Spec: `I2C_SPEED_FAST`.
 #[open_enum(u8)]
 pub enum I2cSpeed {
     /// 400 kHz, for long cables.
@@ -94,21 +94,21 @@ pub enum I2cSpeed {
     Khz800 = 1,
 }
 
-/// Whether the gyroscope is calibrated at start. Spec: `SKIP_GYRO_CALIB`.
+/// Calibration of the gyroscope at start-up. Spec: `SKIP_GYRO_CALIB`.
 #[open_enum(u8, prefix = "SKIP_")]
 pub enum SkipGyroCalib {
-    /// Always calibrated: the board waits until it is at rest.
+    /// Never skipped: the board waits until it is at rest.
     #[wire(spec = "DO_NOT_SKIP")]
     Never = 0,
-    /// Never calibrated.
+    /// Always skipped.
     Always = 1,
-    /// Calibrated if the board is at rest, left as it was if it moves.
+    /// Skipped if the board moves.
     #[wire(spec = "TRY_TO_CALIBRATE")]
     InMotion = 2,
 }
 
 flags! {
-    /// Axes whose controller lowers its gains by itself when they vibrate. Spec: `ADAPTIVE_PID_ENABLED`.
+    /// Axes on which the controller reduces its gains automatically when they vibrate. Spec: `ADAPTIVE_PID_ENABLED`.
     pub struct AdaptivePidAxes: u8, prefix "EN_" {
         /// ROLL.
         const ROLL = 1 << 0;
@@ -120,25 +120,25 @@ flags! {
 }
 
 flags! {
-    /// When the board beeps, and how. Spec: `BEEPER_MODES`.
+    /// Occasions on which the board beeps. Spec: `BEEPER_MODES`.
     ///
-    /// Bits 4 to 6 are those of the vendor's library, newer firmware.
+    /// Bits 4 to 6 are published in the vendor's library only. Newer firmware.
     pub struct BeeperModes: u8, prefix "BEEPER_MODE_" {
-        /// While it calibrates.
+        /// Beeps during calibrations.
         const CALIBRATE = 1 << 0;
-        /// When a command is carried out.
+        /// Beeps when a command is executed.
         const CONFIRM = 1 << 1;
-        /// At an error.
+        /// Beeps on errors.
         const ERROR = 1 << 2;
-        /// When the battery is low.
+        /// Beeps when the battery is low.
         const ALARM = 1 << 3;
-        /// At each press of a button.
+        /// Beeps on each button press.
         const CLICK = 1 << 4;
-        /// When a task is complete.
+        /// Beeps when a task is complete.
         const COMPLETE = 1 << 5;
-        /// At start.
+        /// Beeps at start-up.
         const INTRO = 1 << 6;
-        /// The motors sound instead of the buzzer.
+        /// Uses the motors instead of the buzzer.
         const BY_MOTORS "BEEP_BY_MOTORS" = 1 << 7;
     }
 }

@@ -1,11 +1,11 @@
-//! The parameters of the board: four blocks for each of five profiles, and what stores, resets and names them.
+//! Parameters of the board: four blocks for each of five profiles, and commands that name, reset and store profiles.
 //!
-//! A profile's parameters come in four blocks of fixed size: [`Params3`], [`ParamsExt`], [`ParamsExt2`] and
-//! [`ParamsExt3`]. Each is asked for by profile and written back as a whole under another command. Bytes that are
-//! reserved, and values that are not known here, go back as they came, so that a block that was read, changed and
-//! written disturbs nothing that newer firmware keeps there.
+//! The parameters of a profile are divided into four blocks of fixed size: [`Params3`], [`ParamsExt`], [`ParamsExt2`]
+//! and [`ParamsExt3`]. Each block is requested by profile, and written back as a whole with a separate command.
+//! Reserved bytes and unknown values are preserved, so reading, changing and writing a block does not disturb values
+//! that newer firmware stores there.
 //!
-//! Many parameters have no unit: they are the positions of sliders in the vendor's program.
+//! Many parameters have no unit: they are slider positions in the vendor's GUI.
 
 mod automation;
 mod encoders;

@@ -1,4 +1,4 @@
-//! The first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
+//! Block 1 of a profile's parameters: motors, RC control, follow mode, sensors and battery.
 
 use sbgc_proto_macros::{message, record};
 
@@ -11,41 +11,41 @@ use crate::commands::{Confirm, ImuType, ProfileId, RcSource, Switch};
 use crate::units::{AccelerationLimit, Angle, GyroDeadband, PidTerm, ServoRate, VoltageThreshold};
 use crate::wire::PerAxis;
 
-/// Requests the first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
+/// Requests block 1 of a profile's parameters: motors, RC control, follow mode, sensors and battery.
 #[message(CMD_READ_PARAMS_3, outgoing, size = 1, answer = Params3, echo = profile(profile_id))]
 pub struct ReadParams3 {
-    /// Profile; any number above 4 selects the active one.
+    /// Profile to read; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
-/// Writes the first block of a profile's parameters and saves it to EEPROM.
+/// Writes block 1 of a profile's parameters and saves it to EEPROM.
 ///
-/// Read the block first with [`ReadParams3`], change what is to be changed and send all the rest as it came. Several
-/// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
+/// Read the block first with [`ReadParams3`], change the required fields and send the others unchanged. To write
+/// several blocks, bracket them with [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts only once.
 ///
-/// The specification does not define an answer; the vendor's library waits for a confirmation. Some changes make the
-/// board restart about a second after the last block was written.
+/// The specification does not define an answer; the vendor's library waits for a confirmation. Some changes restart the
+/// board about one second after the last block was written.
 #[message(CMD_WRITE_PARAMS_3, outgoing, size = 134, answer = Confirm)]
 pub struct WriteParams3(pub Params3);
 
-/// The first block of a profile's parameters: motors, remote control, follow mode, sensors, battery.
+/// Block 1 of a profile's parameters: motors, RC control, follow mode, sensors and battery.
 #[message(CMD_READ_PARAMS_3, incoming, size = 134)]
 pub struct Params3 {
     /// Profile these parameters belong to.
     pub profile_id: ProfileId,
-    /// Motor and controller of each axis.
+    /// Motor and PID controller of each axis.
     #[wire(group)]
     pub motors: PerAxis<MotorTuning>,
-    /// Limit of acceleration for all axes, 0 for none.
+    /// Acceleration limit of all axes; 0 disables it.
     ///
-    /// Deprecated: with firmware 2.60+ `ACC_LIMITER` in [`ParamsExt2`](super::ParamsExt2) has one for each axis.
+    /// Deprecated: firmware 2.60+ has a limit for each axis, `ACC_LIMITER` in [`ParamsExt2`](super::ParamsExt2).
     pub acc_limiter_all: AccelerationLimit,
-    /// Gain of the flight controller's signals in the stabilization, for ROLL and for PITCH.
+    /// Gain of the flight controller signals in the stabilization, for ROLL and PITCH.
     ///
-    /// There are two bytes, as the size of the whole block proves; software that reads three pairs is wrong.
+    /// The size of the whole block proves that there are two bytes; software that reads three pairs is wrong.
     #[wire(range = -127..=127)]
     pub ext_fc_gain: [i8; 2],
-    /// Remote control settings of each axis.
+    /// RC control settings of each axis.
     #[wire(group)]
     pub rc: PerAxis<RcAxis>,
     /// Trust in the gyroscope relative to the accelerometer.
@@ -54,47 +54,47 @@ pub struct Params3 {
     pub use_model: Switch,
     /// Switching frequency of the motor drivers.
     pub pwm_freq: PwmFrequency,
-    /// Speed of the main port UART1, to which the USB converter is usually connected.
+    /// Baud rate of the main port UART1, which is usually connected to the USB converter.
     ///
-    /// The specification misspells it `SERIAL_SPPED`.
+    /// The specification misspells the name as `SERIAL_SPPED`.
     pub serial_speed: SerialSpeed,
-    /// Trim of the remote control's neutral point.
+    /// Trim of the neutral point of RC control.
     #[wire(range = -127..=127)]
     pub rc_trim: PerAxis<i8>,
-    /// Dead band around the neutral point of remote control; of ROLL alone where the axes are split, see
-    /// `RC_EXPO_DEADBAND_SPLIT` in [`ProfileFlags2`](super::ProfileFlags2).
+    /// Dead band around the neutral point of RC control. Applies to ROLL only if `RC_EXPO_DEADBAND_SPLIT` of
+    /// [`ProfileFlags2`](super::ProfileFlags2) is set.
     pub rc_deadband: u8,
-    /// Exponential curve of remote control around neutral, in percent.
+    /// Exponential curve of RC control around the neutral point.
     #[wire(unit = "%", range = 0..=100)]
     pub rc_expo_rate: u8,
     /// Input mode of the RC_ROLL pin.
     pub rc_virt_mode: RcVirtMode,
-    /// Source of the control signal of ROLL.
+    /// Source of the control signal for ROLL.
     pub rc_map_roll: RcSource,
-    /// Source of the control signal of PITCH.
+    /// Source of the control signal for PITCH.
     pub rc_map_pitch: RcSource,
-    /// Source of the control signal of YAW.
+    /// Source of the control signal for YAW.
     pub rc_map_yaw: RcSource,
-    /// Source of the command channel, whose level runs `RC_CMD_LOW`, `_MID` and `_HIGH`.
+    /// Source of the command channel, whose level selects `RC_CMD_LOW`, `RC_CMD_MID` or `RC_CMD_HIGH`.
     pub rc_map_cmd: RcSource,
-    /// Source of the flight controller's ROLL signal.
+    /// Source of the ROLL signal of the flight controller.
     pub rc_map_fc_roll: RcSource,
-    /// Source of the flight controller's PITCH signal.
+    /// Source of the PITCH signal of the flight controller.
     pub rc_map_fc_pitch: RcSource,
-    /// Mixing of the flight controller's ROLL signal into remote control.
+    /// Mixing of the flight controller's ROLL signal into RC control.
     pub rc_mix_fc_roll: FcMix,
-    /// Mixing of the flight controller's PITCH signal into remote control.
+    /// Mixing of the flight controller's PITCH signal into RC control.
     pub rc_mix_fc_pitch: FcMix,
     /// Follow mode of ROLL and PITCH.
     pub follow_mode: FollowMode,
-    /// Dead band: rotation of the frame before the camera follows.
+    /// Dead band of follow mode: rotation of the frame before the camera follows.
     pub follow_deadband: u8,
-    /// Exponential curve of following, in percent.
+    /// Exponential curve of follow mode.
     #[wire(unit = "%", range = 0..=100)]
     pub follow_expo_rate: u8,
-    /// Offset of the neutral point in follow mode.
+    /// Offset of the neutral point of follow mode.
     ///
-    /// Deprecated: with firmware 2.70+ `FOLLOW_OFFSET_EXT` in [`ParamsExt3`](super::ParamsExt3) replaces it.
+    /// Deprecated: replaced by `FOLLOW_OFFSET_EXT` in [`ParamsExt3`](super::ParamsExt3) in firmware 2.70+.
     #[wire(range = -127..=127)]
     pub follow_offset: PerAxis<i8>,
     /// Axis of the main IMU that points up.
@@ -111,88 +111,89 @@ pub struct Params3 {
     pub gyro_deadband: GyroDeadband,
     /// Sensitivity of the gyroscope. Deprecated.
     pub gyro_sens: u8,
-    /// Speed of the bus to the sensors.
+    /// Clock speed of the sensor bus.
     pub i2c_speed_fast: I2cSpeed,
-    /// Whether the gyroscope is calibrated at start.
+    /// Calibration of the gyroscope at start-up.
     pub skip_gyro_calib: SkipGyroCalib,
-    /// Action of the command channel at a low signal.
+    /// Menu command for a low level of the command channel.
     pub rc_cmd_low: MenuCommand,
-    /// Action of the command channel at a middle signal.
+    /// Menu command for a middle level of the command channel.
     pub rc_cmd_mid: MenuCommand,
-    /// Action of the command channel at a high signal.
+    /// Menu command for a high level of the command channel.
     pub rc_cmd_high: MenuCommand,
-    /// Action of one press of the menu button.
+    /// Menu command for one press of the menu button.
     pub menu_cmd_1: MenuCommand,
-    /// Action of two presses of the menu button.
+    /// Menu command for two presses of the menu button.
     pub menu_cmd_2: MenuCommand,
-    /// Action of three presses of the menu button.
+    /// Menu command for three presses of the menu button.
     pub menu_cmd_3: MenuCommand,
-    /// Action of four presses of the menu button.
+    /// Menu command for four presses of the menu button.
     pub menu_cmd_4: MenuCommand,
-    /// Action of five presses of the menu button.
+    /// Menu command for five presses of the menu button.
     pub menu_cmd_5: MenuCommand,
-    /// Action of a long press of the menu button.
+    /// Menu command for a long press of the menu button.
     pub menu_cmd_long: MenuCommand,
     /// Motor output of each axis.
     pub motor_output: PerAxis<MotorOutput>,
-    /// Battery voltage below which an alarm sounds. Negative: never.
+    /// Battery voltage below which an alarm sounds; negative values disable the alarm.
     #[wire(range = -3000..=3000)]
     pub bat_threshold_alarm: VoltageThreshold,
-    /// Below this battery voltage the motors stop. Negative: never.
+    /// Battery voltage below which the motors are turned off; negative values disable this protection.
     #[wire(range = -3000..=3000)]
     pub bat_threshold_motors: VoltageThreshold,
-    /// Voltage of the full battery, from which the power of the motors is compensated. Negative: not at all.
+    /// Voltage of the full battery, the reference for compensating motor power; negative values disable the
+    /// compensation.
     #[wire(range = -3000..=3000)]
     pub bat_comp_ref: VoltageThreshold,
-    /// When the board beeps, and how.
+    /// Occasions on which the board beeps.
     pub beeper_modes: BeeperModes,
-    /// From which tilt on ROLL begins to be mixed into following.
+    /// Tilt angle from which ROLL is mixed into follow mode.
     #[wire(unit = "deg", range = 0..=90)]
     pub follow_roll_mix_start: u8,
-    /// Over how many degrees that mix grows to its full.
+    /// Range of tilt angles over which the ROLL mix grows to its maximum.
     #[wire(unit = "deg", range = 0..=90)]
     pub follow_roll_mix_range: u8,
-    /// Power that is added to each motor to catch up when it loses synchronization.
+    /// Additional power of each motor to regain lost synchronization.
     pub booster_power: PerAxis<u8>,
     /// Follow speed of each axis.
     pub follow_speed: PerAxis<u8>,
-    /// Whether the frame's angles are estimated from the motors.
+    /// Whether the frame angles are estimated from the motors.
     pub frame_angle_from_motors: Switch,
-    /// The angle that each axis takes at start.
+    /// Angle of each axis at start-up.
     ///
-    /// The specification prints -36767 as the minimum, which two bytes cannot hold; -32767 is meant.
+    /// The specification gives -36767 as the minimum, which does not fit into two bytes; presumably it means -32767.
     #[wire(range = -32767..=32767)]
     pub rc_memory: PerAxis<Angle>,
-    /// Virtual channel that is put out on servo output 1, from 1 on; 0 for none.
+    /// Virtual channel routed to servo output 1, counted from 1; 0 for none.
     #[wire(range = 0..=32)]
     pub servo1_out: u8,
-    /// Virtual channel that is put out on servo output 2, from 1 on; 0 for none.
+    /// Virtual channel routed to servo output 2, counted from 1; 0 for none.
     #[wire(range = 0..=32)]
     pub servo2_out: u8,
-    /// Virtual channel that is put out on servo output 3, from 1 on; 0 for none.
+    /// Virtual channel routed to servo output 3, counted from 1; 0 for none.
     #[wire(range = 0..=32)]
     pub servo3_out: u8,
-    /// Virtual channel that is put out on servo output 4, from 1 on; 0 for none.
+    /// Virtual channel routed to servo output 4, counted from 1; 0 for none.
     #[wire(range = 0..=32)]
     pub servo4_out: u8,
     /// Repetition rate of the servo outputs.
     #[wire(range = 5..=40)]
     pub servo_rate: ServoRate,
-    /// On which axes the controller lowers its gains by itself when they vibrate.
+    /// Axes on which the controller reduces its gains automatically when they vibrate.
     pub adaptive_pid_enabled: AdaptivePidAxes,
-    /// Vibration threshold.
+    /// Vibration threshold of the adaptive controller.
     pub adaptive_pid_threshold: u8,
-    /// Rate of the gain reduction.
+    /// Rate of the adaptive gain reduction.
     #[wire(range = 1..=255)]
     pub adaptive_pid_rate: u8,
-    /// Recovery time.
+    /// Recovery time of the adaptive gains.
     #[wire(range = 0..=10)]
     pub adaptive_pid_recovery_factor: u8,
-    /// Low-pass filter of following; 255 is the maximum where `LPF_EXTENDED_RANGE` of
+    /// Low-pass filter of follow mode; the maximum is 255 if `LPF_EXTENDED_RANGE` of
     /// [`GeneralFlags2`](super::GeneralFlags2) is set.
     #[wire(range = 0..=15)]
     pub follow_lpf: PerAxis<u8>,
-    /// Settings that all profiles share.
+    /// Settings shared by all profiles.
     pub general_flags1: GeneralFlags1,
     /// Settings of this profile.
     pub profile_flags1: ProfileFlags1,
@@ -200,55 +201,55 @@ pub struct Params3 {
     pub spektrum_mode: SpektrumMode,
     /// Order of the hardware axes.
     pub order_of_axes: OrderOfAxes,
-    /// In which Euler angles the camera's attitude and its target are expressed.
+    /// Convention of Euler angles for the camera attitude and its target.
     pub euler_order: EulerConvention,
-    /// The IMU that is selected now.
+    /// Currently selected IMU.
     pub cur_imu: ImuType,
-    /// The profile that is active now.
+    /// Currently active profile.
     #[wire(range = 0..=4)]
     pub cur_profile_id: ProfileId,
 }
 
-/// Motor and controller of one axis.
+/// Motor and PID controller of one axis.
 #[record(size = 6)]
 #[derive(Copy)]
 pub struct MotorTuning {
-    /// Response of the controller to an error.
+    /// Proportional term of the controller.
     pub p: PidTerm,
     /// Integral term of the controller. Displayed divided by 100 before firmware 2.73.1.
     pub i: PidTerm,
-    /// Damping of the controller.
+    /// Derivative term of the controller, which damps it.
     pub d: PidTerm,
-    /// Power of the motor; 255 is the maximum.
+    /// Motor power; 255 is the maximum.
     pub power: u8,
-    /// Whether the motor turns the other way. [`CalibPoles`](crate::commands::CalibPoles) finds it.
+    /// Whether the motor direction is inverted. [`CalibPoles`](crate::commands::CalibPoles) detects it.
     pub invert: Switch,
-    /// Number of the motor's magnetic poles. [`CalibPoles`](crate::commands::CalibPoles) finds it.
+    /// Number of magnetic poles of the motor. [`CalibPoles`](crate::commands::CalibPoles) detects it.
     pub poles: u8,
 }
 
-/// Remote control settings of one axis.
+/// RC control settings of one axis.
 #[record(size = 8)]
 #[derive(Copy)]
 pub struct RcAxis {
-    /// Minimum angle of remote control.
+    /// Minimum angle of RC control.
     #[wire(unit = "deg", range = -720..=720)]
     pub rc_min_angle: i16,
-    /// Maximum angle of remote control.
+    /// Maximum angle of RC control.
     #[wire(unit = "deg", range = -720..=720)]
     pub rc_max_angle: i16,
-    /// Meaning of the signal, and whether it is inverted.
+    /// Interpretation of the signal, and whether it is inverted.
     pub rc_mode: RcAxisMode,
-    /// Low-pass filter of the signal; 255 is the maximum where `LPF_EXTENDED_RANGE` of
+    /// Low-pass filter of the signal; the maximum is 255 if `LPF_EXTENDED_RANGE` of
     /// [`GeneralFlags2`](super::GeneralFlags2) is set.
     #[wire(range = 0..=15)]
     pub rc_lpf: u8,
-    /// Speed of the axis.
+    /// Speed of RC control.
     pub rc_speed: u8,
-    /// For ROLL and PITCH the rate at which they follow the flight controller; for YAW, all but zero follows the
-    /// motor.
+    /// Follow rate: for ROLL and PITCH, the rate at which they follow the flight controller; for YAW, any value except
+    /// 0 follows the motor.
     ///
-    /// Signed, although the specification's type column differs.
+    /// Signed, although the type column of the specification differs.
     #[wire(range = -127..=127)]
     pub rc_follow: i8,
 }

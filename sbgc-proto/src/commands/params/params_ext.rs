@@ -1,4 +1,4 @@
-//! The second block of a profile's parameters: filters, encoders, magnetometer.
+//! Block 2 of a profile's parameters: filters, encoders and magnetometer.
 
 use sbgc_proto_macros::{message, record};
 
@@ -10,31 +10,31 @@ use crate::units::{
 };
 use crate::wire::{PerAxis, Reserved};
 
-/// Requests the second block of a profile's parameters: filters, encoders, magnetometer.
+/// Requests block 2 of a profile's parameters: filters, encoders and magnetometer.
 #[message(CMD_READ_PARAMS_EXT, outgoing, size = 1, answer = ParamsExt, echo = profile(profile_id))]
 pub struct ReadParamsExt {
-    /// Profile; any number above 4 selects the active one.
+    /// Profile to read; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
-/// Writes the second block of a profile's parameters and saves it to EEPROM.
+/// Writes block 2 of a profile's parameters and saves it to EEPROM.
 ///
-/// Read the block first with [`ReadParamsExt`], change what is to be changed and send all the rest as it came. Several
-/// blocks are best written between the two [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts once.
+/// Read the block first with [`ReadParamsExt`], change the required fields and send the others unchanged. To write
+/// several blocks, bracket them with [`WriteParamsSet`](super::WriteParamsSet), so that the board restarts only once.
 ///
 /// The specification does not define an answer; the vendor's library waits for a confirmation.
 #[message(CMD_WRITE_PARAMS_EXT, outgoing, size = 104, answer = Confirm)]
 pub struct WriteParamsExt(pub ParamsExt);
 
-/// The second block of a profile's parameters: filters, encoders, magnetometer.
+/// Block 2 of a profile's parameters: filters, encoders and magnetometer.
 ///
-/// The specification's table gives each axis one notch filter and would make 92 bytes; there are three for each, which
-/// makes the 104 bytes that the vendor's library has.
+/// The specification's table lists one notch filter for each axis, 92 bytes in total. In fact there are three for each
+/// axis, which gives the 104 bytes of the vendor's library.
 #[message(CMD_READ_PARAMS_EXT, incoming, size = 104)]
 pub struct ParamsExt {
     /// Profile these parameters belong to.
     pub profile_id: ProfileId,
-    /// The notch filters of each axis.
+    /// Notch filters of each axis.
     #[wire(group)]
     pub notch_filters: PerAxis<NotchFilters>,
     /// Cut-off frequency (-3 dB) of the low-pass filter of each axis.
@@ -42,11 +42,11 @@ pub struct ParamsExt {
     pub lpf_freq: PerAxis<u16>,
     /// Enabled filters of each axis.
     pub filters_en: PerAxis<FiltersEnabled>,
-    /// Encoder reading in the motor's neutral position.
+    /// Encoder reading in the neutral position of the motor.
     pub encoder_offset: PerAxis<Angle>,
-    /// Angle between the encoder's zero and the motor's magnetic field.
+    /// Angle between the zero of the encoder and the magnetic field of the motor.
     pub encoder_fld_offset: PerAxis<Angle>,
-    /// Holding time of the motor when the field offset is set by hand.
+    /// Holding time of the motor when the field offset is set manually.
     pub encoder_manual_set_time: PerAxis<ShortTime>,
     /// Heating factor of the motor temperature model.
     pub motor_heating_factor: PerAxis<u8>,
@@ -55,43 +55,43 @@ pub struct ParamsExt {
     pub reserved: Reserved<2>,
     /// Inner dead band of follow mode.
     pub follow_inside_deadband: u8,
-    /// Strength of the link between the motor's rotor and stator.
+    /// Strength of the magnetic link between rotor and stator of the motor.
     ///
-    /// Deprecated: `MOTOR_MAG_LINK_FINE` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    /// Deprecated: replaced by `MOTOR_MAG_LINK_FINE` in [`ParamsExt2`](super::ParamsExt2).
     pub motor_mag_link: PerAxis<u8>,
     /// Gearing of the motor.
     pub motor_gearing: PerAxis<Gearing>,
-    /// Lower limit of the motor's angle.
+    /// Lower limit of the motor angle.
     ///
-    /// Deprecated: with firmware 2.61+ `FRAME_CAM_ANGLE_MIN` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    /// Deprecated: replaced by `FRAME_CAM_ANGLE_MIN` in [`ParamsExt2`](super::ParamsExt2) in firmware 2.61+.
     #[wire(range = -127..=127)]
     pub encoder_limit_min: PerAxis<CoarseAngle>,
-    /// Upper limit of the motor's angle.
+    /// Upper limit of the motor angle.
     ///
-    /// Deprecated: with firmware 2.61+ `FRAME_CAM_ANGLE_MAX` in [`ParamsExt2`](super::ParamsExt2) replaces it.
+    /// Deprecated: replaced by `FRAME_CAM_ANGLE_MAX` in [`ParamsExt2`](super::ParamsExt2) in firmware 2.61+.
     #[wire(range = -127..=127)]
     pub encoder_limit_max: PerAxis<CoarseAngle>,
-    /// Depth of the first notch filter of each axis. Negative: a peak instead of a notch.
+    /// Depth of the first notch filter of each axis; a negative value makes it a peak filter.
     #[wire(unit = "dB", range = -100..=100)]
     pub notch1_gain: PerAxis<i8>,
-    /// Depth of the second notch filter of each axis. Negative: a peak instead of a notch.
+    /// Depth of the second notch filter of each axis; a negative value makes it a peak filter.
     #[wire(unit = "dB", range = -100..=100)]
     pub notch2_gain: PerAxis<i8>,
-    /// Depth of the third notch filter of each axis. Negative: a peak instead of a notch.
+    /// Depth of the third notch filter of each axis; a negative value makes it a peak filter.
     #[wire(unit = "dB", range = -100..=100)]
     pub notch3_gain: PerAxis<i8>,
-    /// Loudness of the beeper.
+    /// Volume of the buzzer.
     pub beeper_volume: u8,
-    /// Ratio of the gears between the encoder and its axis.
+    /// Gear ratio between the encoder and its axis.
     pub encoder_gear_ratio: PerAxis<GearRatio>,
-    /// Model of the encoder, and how it is treated.
+    /// Model of the encoder, and its options.
     pub encoder_type: PerAxis<EncoderSelection>,
     /// Options for reading the encoder.
     pub encoder_cfg: PerAxis<EncoderConfig>,
-    /// Proportional term of the outer loop, which works on the angle.
+    /// Proportional term of the outer loop, which controls the angle.
     pub outer_p: PerAxis<u8>,
-    /// Integral term of the outer loop, as the vendor's library has it; newer specifications may have these bytes
-    /// reserved.
+    /// Integral term of the outer loop, according to the vendor's library. Newer specifications may reserve these
+    /// bytes.
     pub outer_i: PerAxis<u8>,
     /// Axis of the magnetometer that points up.
     pub mag_axis_top: AxisOrientation,
@@ -110,13 +110,13 @@ pub struct ParamsExt {
     pub d_term_lpf_freq: PerAxis<FastFilterFrequency>,
 }
 
-/// The three notch filters of an axis.
+/// Three notch filters of an axis.
 #[record(size = 6)]
 #[derive(Copy)]
 pub struct NotchFilters {
-    /// Center of each.
+    /// Center frequencies.
     pub notch_freq: [NotchFrequency; 3],
-    /// Width of each, between the points of -3 dB.
+    /// Widths between the -3 dB points.
     #[wire(unit = "Hz")]
     pub notch_width: [u8; 3],
 }

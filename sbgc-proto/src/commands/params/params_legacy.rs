@@ -1,4 +1,4 @@
-//! Commands of the parameters of old boards.
+//! Parameter commands of old boards.
 
 use sbgc_proto_macros::message;
 
@@ -6,18 +6,18 @@ use crate::commands::{Confirm, ProfileId};
 
 /// Requests the parameters of a profile, in the layout of old boards.
 ///
-/// Deprecated: [`ReadParams3`](super::ReadParams3) and its fellows replace it. What boards of 32 bits answer is not
-/// known.
+/// Deprecated: replaced by [`ReadParams3`](super::ReadParams3) and related commands. The answer of 32-bit boards is
+/// unknown.
 #[message(CMD_READ_PARAMS, outgoing, size = 1, answer = Params<'answer>)]
 pub struct ReadParams {
-    /// Profile; any number above 4 selects the active one.
+    /// Profile to read; any number above 4 selects the active one.
     pub profile_id: ProfileId,
 }
 
-/// The parameters of a profile, in the layout of old boards.
+/// Parameters of a profile, in the layout of old boards.
 ///
-/// Deprecated, and not published. A driver for boards of 8 bits reads 105 bytes: at first those of
-/// [`Params3`](super::Params3), up to `FOLLOW_OFFSET`.
+/// Deprecated; the layout is not published. A driver for 8-bit boards reads 105 bytes, which start with those of
+/// [`Params3`](super::Params3) up to `FOLLOW_OFFSET`.
 #[message(CMD_READ_PARAMS, incoming, form = "undocumented", default, size = 0..=255)]
 pub struct Params<'a> {
     /// Payload bytes.
@@ -26,7 +26,7 @@ pub struct Params<'a> {
 
 /// Writes the parameters of a profile, in the layout of old boards.
 ///
-/// Deprecated, and not published.
+/// Deprecated; the layout is not published.
 #[message(CMD_WRITE_PARAMS, outgoing, form = "undocumented", default, size = 0..=255, answer = Confirm)]
 pub struct WriteParams<'a> {
     /// Payload bytes.

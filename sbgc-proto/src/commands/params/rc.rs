@@ -1,14 +1,14 @@
-//! Values of remote control: what inputs read, what signals mean, how they are mixed.
+//! Types of the RC control settings: inputs, interpretation and mixing of signals.
 
 use sbgc_proto_macros::{bit_fields, open_enum};
 
-/// Options for reading the control signal of an axis.
+/// Interpretation of the control signal of an axis.
 #[bit_fields(u8)]
 pub struct RcAxisMode {
-    /// Meaning of the signal.
+    /// Meaning of the control signal.
     #[wire(bits = 0..=2, spec = "RC_MODE")]
     pub mode: RcMode,
-    /// Whether control is inverted.
+    /// Whether the control signal is inverted.
     #[wire(bits = 3)]
     pub inverted: bool,
 }
@@ -16,11 +16,11 @@ pub struct RcAxisMode {
 /// Meaning of a control signal. Spec: `RC_MODE`.
 #[open_enum(u8, prefix = "RC_MODE_")]
 pub enum RcMode {
-    /// The angle to go to.
+    /// Target angle.
     Angle = 0,
-    /// The speed to move with.
+    /// Speed.
     Speed = 1,
-    /// Tracking. The specification has it among the adjustable variables only.
+    /// Tracking. The specification lists it for adjustable variables only.
     #[wire(since = "2.69b3")]
     Tracking = 2,
 }
@@ -28,48 +28,49 @@ pub enum RcMode {
 /// Input mode of the RC_ROLL pin. Spec: `RC_VIRT_MODE`.
 #[open_enum(u8, prefix = "RC_VIRT_MODE_")]
 pub enum RcVirtMode {
-    /// One channel, as pulse width.
+    /// One PWM channel.
     Normal = 0,
-    /// A sum signal of several channels (Sum-PPM).
+    /// Sum signal of several channels (Sum-PPM).
     Cppm = 1,
-    /// A Futaba s-bus receiver.
+    /// Futaba s-bus receiver.
     Sbus = 2,
-    /// A Spektrum satellite receiver.
+    /// Spektrum satellite receiver.
     Spektrum = 3,
-    /// Nothing: a second serial port for this protocol.
+    /// Second serial port for this protocol.
     Api = 10,
 }
 
 /// Mixing of a flight controller signal into a control signal.
 ///
-/// The split into 6 and 2 bits is that of newer documents; copies of the older specification break off there.
+/// The division into 6 and 2 bits is that of newer documents; the text is incomplete in copies of the older
+/// specification.
 #[bit_fields(u8)]
 pub struct FcMix {
-    /// Amount, 0 to 63.
+    /// Mixing rate, 0 to 63.
     #[wire(bits = 0..=5)]
     pub rate: u8,
-    /// Into which control signal.
+    /// Control signal to mix into.
     #[wire(bits = 6..=7)]
     pub target: FcMixTarget,
 }
 
-/// The control signal into which the flight controller's is mixed. Spec: `RC_MIX_FC_TARGET`.
+/// Control signal that a flight controller signal is mixed into. Spec: `RC_MIX_FC_TARGET`.
 #[open_enum(u8)]
 pub enum FcMixTarget {
-    /// None: it is not mixed.
+    /// None; mixing is disabled.
     NoMix = 0,
-    /// That of ROLL.
+    /// Control signal for ROLL.
     Roll = 1,
-    /// That of PITCH.
+    /// Control signal for PITCH.
     Pitch = 2,
-    /// That of YAW.
+    /// Control signal for YAW.
     Yaw = 3,
 }
 
-/// Protocol of a Spektrum receiver: generation, time of a frame, resolution. Spec: `SPEKTRUM_MODE`.
+/// Protocol of a Spektrum receiver: generation, frame period and resolution. Spec: `SPEKTRUM_MODE`.
 #[open_enum(u8)]
 pub enum SpektrumMode {
-    /// Found out by the board. The default.
+    /// Detected automatically (default).
     #[wire(spec = "AUTO_DETECTION")]
     Auto = 0,
     /// DSM2, 11 ms, 10 bits.
@@ -101,11 +102,11 @@ pub enum SpektrumMode {
 /// Follow mode of ROLL and PITCH. Spec: `FOLLOW_MODE`.
 #[open_enum(u8, prefix = "FOLLOW_MODE_")]
 pub enum FollowMode {
-    /// Nothing.
+    /// Follow mode is disabled.
     Disabled = 0,
-    /// The flight controller's attitude.
+    /// Follows the attitude of the flight controller.
     #[wire(spec = "FOLLOW_MODE_FC")]
     FlightController = 1,
-    /// The frame, on PITCH and in part on ROLL.
+    /// Follows the frame on PITCH and partly on ROLL.
     Pitch = 2,
 }

@@ -1,4 +1,4 @@
-//! The angles alone, axis by axis.
+//! Angles only, axis by axis.
 
 use sbgc_proto_macros::{message, record};
 
@@ -13,7 +13,7 @@ pub struct GetAngles;
 #[message(CMD_GET_ANGLES, incoming, size = 18)]
 #[derive(Copy)]
 pub struct Angles {
-    /// Each axis.
+    /// Values of each axis.
     #[wire(group)]
     pub axes: PerAxis<AxisAngles>,
 }
@@ -22,34 +22,34 @@ pub struct Angles {
 #[record(size = 6)]
 #[derive(Copy)]
 pub struct AxisAngles {
-    /// Camera angles from its IMU.
+    /// Camera angle from the IMU.
     pub imu_angle: Angle,
-    /// Target angles.
+    /// Target angle.
     pub target_angle: Angle,
-    /// Target speed. [`RealtimeDataCustom`](super::RealtimeDataCustom) reports it in half this step.
+    /// Target speed, in twice the unit that [`RealtimeDataCustom`](super::RealtimeDataCustom) uses.
     pub target_speed: ControlRate,
 }
 
-/// Requests the angles of all axes, those of the joints counted over several turns.
+/// Requests the angles of all axes, with joint angles counted over several turns.
 #[message(CMD_GET_ANGLES_EXT, outgoing, size = 0, answer = AnglesExt)]
 pub struct GetAnglesExt;
 
-/// Angles of all axes, those of the joints counted over several turns.
+/// Angles of all axes, with joint angles counted over several turns.
 #[message(CMD_GET_ANGLES_EXT, incoming, size = 54)]
 #[derive(Copy)]
 pub struct AnglesExt {
-    /// Each axis.
+    /// Values of each axis.
     #[wire(group)]
     pub axes: PerAxis<AxisAnglesExt>,
 }
 
-/// Angles of one axis, that of the joint counted over several turns.
+/// Angles of one axis, with the joint angle counted over several turns.
 #[record(size = 18)]
 #[derive(Copy)]
 pub struct AxisAnglesExt {
-    /// Camera angles from its IMU.
+    /// Camera angle from the IMU.
     pub imu_angle: Angle,
-    /// Target angles.
+    /// Target angle.
     pub target_angle: Angle,
     /// Joint (stator–rotor) angle; 0 is the normal position. It does not wrap after a full turn.
     ///

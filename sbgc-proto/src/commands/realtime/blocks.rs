@@ -1,4 +1,4 @@
-//! Groups of values that stand in chosen real-time data.
+//! Records within custom real-time data.
 
 use sbgc_proto_macros::{bit_fields, open_enum, record};
 
@@ -11,17 +11,18 @@ use crate::wire::{Float, PerAxis, Reserved};
 #[record(size = 8, since = "2.68")]
 #[derive(Copy)]
 pub struct Motor4Control {
-    /// Speed to be fed forward.
+    /// Feed-forward speed.
     pub ff_speed: SensorRate,
     /// Angle error of the fourth axis.
     pub angle_error: Angle,
-    /// Output of the internal PID over `angle_error` with `ff_speed` mixed in, times the parameter "scale factor".
+    /// Output of the internal PID controller for `angle_error`, with `ff_speed` mixed in, multiplied by the parameter
+    /// "scale factor".
     pub pid_out: Float,
 }
 
 /// State of the attitude and heading reference system. Spec: `AHRS_DEBUG_INFO`.
 ///
-/// The specification's table lacks the last row; 26 bytes in all are certain.
+/// The specification's table lacks the last row, but the total of 26 bytes is certain.
 #[record(size = 26, since = "2.66")]
 #[derive(Copy)]
 pub struct AhrsDebugInfo {
@@ -39,9 +40,9 @@ pub struct AhrsDebugInfo {
     pub frame_imu_h_ref_err: AttitudeError,
     /// State of the external IMU.
     pub ext_imu_status: ExtImuState,
-    /// Packets received from the external IMU; starts again after 65535.
+    /// Number of packets received from the external IMU, wrapping after 65535.
     pub ext_imu_packets_received_cnt: u16,
-    /// Packets from the external IMU that could not be read; starts again after 65535.
+    /// Number of packets from the external IMU that could not be parsed, wrapping after 65535.
     pub ext_imu_parse_err_cnt: u16,
     /// Heading error against the external reference.
     pub ext_corr_h_err: AttitudeError,
@@ -53,16 +54,16 @@ pub struct AhrsDebugInfo {
 /// Reference source of an IMU.
 #[bit_fields(u8)]
 pub struct ImuRefSrc {
-    /// Reference of the attitude.
+    /// Source of the attitude reference.
     #[wire(bits = 0..=2, spec = "ATTITUDE_REF")]
     pub attitude: AhrsRefSrc,
-    /// Reference of the heading.
+    /// Source of the heading reference.
     #[wire(bits = 3..=5, spec = "HEADING_REF")]
     pub heading: AhrsRefSrc,
-    /// The internal sensor is connected and used; otherwise the attitude comes from outside.
+    /// The internal sensor is connected and in use; otherwise the attitude comes from an external source.
     #[wire(bits = 6)]
     pub internal_sensor: bool,
-    /// This IMU is being processed.
+    /// The IMU is being processed.
     #[wire(bits = 7)]
     pub enabled: bool,
 }
@@ -70,13 +71,13 @@ pub struct ImuRefSrc {
 /// Source of an attitude or heading reference. Spec: `AHRS_REF_SRC`.
 #[open_enum(u8, prefix = "REF_")]
 pub enum AhrsRefSrc {
-    /// There is none.
+    /// No reference.
     No = 0,
-    /// From the sensor's own accelerometer or magnetometer.
+    /// Own accelerometer or magnetometer of the sensor.
     Internal = 1,
-    /// From outside.
+    /// External source.
     External = 2,
-    /// Translated from the other IMU through the joints.
+    /// Derived from the other IMU through the joint angles.
     Translate = 3,
 }
 
@@ -86,33 +87,33 @@ pub struct ExtImuState {
     /// Status of the external IMU.
     #[wire(bits = 0..=2, spec = "EXT_IMU_STATUS")]
     pub status: ExtImuStatus,
-    /// Its magnetometer is disturbed.
+    /// The magnetometer of the external IMU is disturbed.
     #[wire(bits = 6, spec = "STATUS_FLAG_BAD_MAG")]
     pub bad_mag: bool,
-    /// It has no satellites.
+    /// The external IMU receives no satellite signal.
     #[wire(bits = 7, spec = "STATUS_FLAG_NO_GPS_SIGNAL")]
     pub no_gps_signal: bool,
 }
 
-/// Status of the external IMU; from `Bad` on it grades its attitude. Spec: `EXT_IMU_STATUS`.
+/// Status of the external IMU; `Bad` and above rate the quality of its attitude. Spec: `EXT_IMU_STATUS`.
 #[open_enum(u8, prefix = "STATUS_")]
 pub enum ExtImuStatus {
-    /// It is switched off.
+    /// Turned off.
     Disabled = 0,
-    /// It is not connected.
+    /// Not connected.
     NotConnected = 1,
-    /// Nothing is known of it yet.
+    /// Not known yet.
     #[wire(spec = "STATUS_UNKNOWN")]
     NotKnown = 2,
-    /// It has an error.
+    /// Error.
     Error = 3,
-    /// Its attitude is bad.
+    /// Attitude of bad quality.
     Bad = 4,
-    /// Its attitude is coarse.
+    /// Attitude of coarse quality.
     Coarse = 5,
-    /// Its attitude is good.
+    /// Attitude of good quality.
     Good = 6,
-    /// Its attitude is fine.
+    /// Attitude of fine quality.
     Fine = 7,
 }
 
@@ -120,14 +121,14 @@ pub enum ExtImuStatus {
 #[record(size = 46, since = "2.70b6")]
 #[derive(Copy)]
 pub struct SystemPowerState {
-    /// Each motor.
+    /// Power and state of each motor.
     #[wire(group)]
     pub axes: PerAxis<MotorPower>,
-    /// Whether the motors have power.
+    /// State of motor power.
     pub system_power_state: PowerState,
-    /// Voltage of the battery.
+    /// Battery voltage.
     pub battery_voltage: Voltage,
-    /// Current of the whole system.
+    /// Total current of the system.
     #[wire(unit = "mA")]
     pub total_current: u16,
     /// State of the motor power system.
@@ -138,39 +139,39 @@ pub struct SystemPowerState {
 #[record(size = 13)]
 #[derive(Copy)]
 pub struct MotorPower {
-    /// Its output, 10000 at full power.
+    /// Motor output; 10000 is full power.
     #[wire(range = -10000..=10000)]
     pub mot_power: i16,
-    /// Its current.
+    /// Motor current.
     #[wire(unit = "mA")]
     pub mot_current: u16,
-    /// Its temperature.
+    /// Motor temperature.
     #[wire(unit = "degC")]
     pub mot_temp: i8,
-    /// State of the motor.
+    /// System state flags.
     pub mot_flags: MotorFlags,
     pub mot_reserved: Reserved<6>,
 }
 
-/// Errors of communication since the start. Spec: `COMM_ERRORS`.
+/// Communication errors since the start. Spec: `COMM_ERRORS`.
 #[record(size = 7, since = "2.72b0")]
 #[derive(Copy)]
 pub struct CommErrors {
-    /// Errors of the I2C bus.
+    /// Number of I2C bus errors.
     pub i2c_errors: u16,
-    /// Errors of the serial ports.
+    /// Number of serial port errors.
     pub serial_errors: u16,
-    /// Errors of the CAN bus.
+    /// Number of CAN bus errors.
     pub can_errors: u16,
-    /// Kinds of CAN bus errors seen.
+    /// Kinds of CAN bus errors that occurred.
     pub can_err_flags: CanErrFlags,
 }
 
-/// System state. Spec: `SYSTEM_STATE`, a part of custom real-time data; not the command of that name.
+/// System state in custom real-time data. Spec: `SYSTEM_STATE`, not to be confused with the command of that name.
 #[record(size = 13, since = "2.73")]
 #[derive(Copy)]
 pub struct SystemStateBlock {
-    /// State of the motor.
+    /// System state flags.
     pub flags: SystemStateFlags,
     /// Running calibration or automatic task.
     pub calib_mode: CalibMode,
@@ -183,11 +184,11 @@ pub struct SystemStateBlock {
 #[record(size = 11)]
 #[derive(Copy)]
 pub struct MainImuState {
-    /// Gravity error against its reference, in an unpublished unit.
+    /// Gravity error against its reference. The unit is not published.
     pub g_ref_err: u8,
-    /// Heading error against its reference, in an unpublished unit.
+    /// Heading error against its reference. The unit is not published.
     pub h_ref_err: u8,
-    /// Flags, whose meaning is not published.
+    /// Flags. Their meaning is not published.
     pub flags: u8,
     /// Error of the external sensor.
     pub ext_sens_err: u8,

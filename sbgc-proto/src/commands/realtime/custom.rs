@@ -1,4 +1,4 @@
-//! Real-time data that the host chooses.
+//! Real-time data with fields selected by the host.
 
 use sbgc_proto_macros::message;
 
@@ -26,17 +26,17 @@ use crate::wire::{Float, PerAxis, PerXyz, Reserved};
 )]
 #[derive(Copy)]
 pub struct RealtimeDataCustomRequest {
-    /// Flags that select the fields of the answer, which must fit a payload: see
+    /// Flags that select the fields of the answer, which must fit into a payload: see
     /// [`RealtimeDataCustomFlags::payload_len`].
     pub flags: RealtimeDataCustomFlags,
     pub reserved: Reserved<6>,
 }
 
 impl RealtimeDataCustomRequest {
-    /// Requests what `flags` select.
+    /// Creates a request for the fields that `flags` select.
     ///
     /// # Errors
-    /// If the answer would be longer than a payload can be. What a board does with such a request is unknown.
+    /// If the answer would exceed the maximum payload length. The behavior of a board in that case is unknown.
     pub fn new(flags: RealtimeDataCustomFlags) -> Result<Self, EncodeFrameError> {
         let length = flags.payload_len();
         if length > 255 {
@@ -57,59 +57,59 @@ flags! {
         const TARGET_SPEED = 1 << 2;
         /// Joint (stator–rotor) angles.
         const STATOR_ROTOR_ANGLE = 1 << 3;
-        /// Gyroscope.
+        /// Angular rates.
         const GYRO_DATA = 1 << 4;
         /// Control signals.
         const RC_DATA = 1 << 5;
-        /// Attitude as two rows of the rotation matrix.
+        /// Attitude as two rows of a rotation matrix.
         const Z_VECTOR_H_VECTOR = 1 << 6;
         /// Channels of the serial receiver.
         const RC_CHANNELS = 1 << 7;
-        /// Accelerometer.
+        /// Accelerations.
         const ACC_DATA = 1 << 8;
-        /// Data for the controller of a fourth axis, firmware 2.68+.
+        /// Data for an external controller of a fourth axis. Firmware 2.68+.
         const MOTOR4_CONTROL = 1 << 9;
-        /// State of the attitude reference, firmware 2.66+.
+        /// State of the attitude and heading reference system. Firmware 2.66+.
         const AHRS_DEBUG_INFO = 1 << 10;
-        /// Raw angles of the encoders, firmware 2.68+.
+        /// Raw encoder angles. Firmware 2.68+.
         const ENCODER_RAW24 = 1 << 11;
         /// Camera angles in radians. Firmware 2.68b7+.
         const IMU_ANGLES_RAD = 1 << 12;
-        /// Float variables of the running script, firmware 2.68b7+.
+        /// Float variables of the running script. Firmware 2.68b7+.
         const SCRIPT_VARS_FLOAT = 1 << 13;
-        /// Integer variables of the running script, firmware 2.68b7+.
+        /// Integer variables of the running script. Firmware 2.68b7+.
         const SCRIPT_VARS_INT16 = 1 << 14;
-        /// Power and state of the motors, firmware 2.70b6+.
+        /// Power and state of the motors. Firmware 2.70b6+.
         const SYSTEM_POWER_STATE = 1 << 15;
         /// Joint (stator–rotor) speed. Firmware 2.70b6+.
         const FRAME_CAM_RATE = 1 << 16;
-        /// Camera angles in fine steps. Firmware 2.70b8+.
+        /// Camera angles at high resolution. Firmware 2.70b8+.
         const IMU_ANGLES_20 = 1 << 17;
-        /// Target angles in fine steps. Firmware 2.70b8+.
+        /// Target angles at high resolution. Firmware 2.70b8+.
         const TARGET_ANGLES_20 = 1 << 18;
-        /// Errors of communication, firmware 2.72b0+.
+        /// Communication errors. Firmware 2.72b0+.
         const COMM_ERRORS = 1 << 19;
         /// System state. Firmware 2.73+.
         const SYSTEM_STATE = 1 << 20;
-        /// Attitude of the camera as quaternion, firmware 2.73+.
+        /// Camera attitude as a quaternion. Firmware 2.73+.
         const IMU_QUAT = 1 << 21;
-        /// Target attitude as quaternion, firmware 2.73+.
+        /// Target attitude as a quaternion. Firmware 2.73+.
         const TARGET_QUAT = 1 << 22;
-        /// Rotation from IMU to frame as quaternion, firmware 2.73+.
+        /// Rotation from IMU to frame as a quaternion. Firmware 2.73+.
         const IMU_TO_FRAME_QUAT = 1 << 23;
-        /// Analog inputs, firmware 2.73+.
+        /// Analog inputs. Firmware 2.73+.
         const ADC_CH_RAW = 1 << 24;
-        /// Distance of the joints to their software limits, firmware 2.73.8+.
+        /// Distance of the joints to their software limits. Firmware 2.73.8+.
         const SW_LIMITS_DIST = 1 << 25;
-        /// Distance to the neutral point of follow mode, firmware 2.73.8+.
+        /// Distance to the neutral point of follow mode. Firmware 2.73.8+.
         const FOLLOW_DIST = 1 << 26;
-        /// Limits of the target angles, firmware 2.73.8+.
+        /// Limits of the target angles. Firmware 2.73.8+.
         const EXT_TARGET_LIMIT = 1 << 27;
-        /// Joint (stator–rotor) angles in fine steps. Published in the vendor's Python library only.
+        /// Joint (stator–rotor) angles at high resolution. Published in the vendor's Python library only.
         const FRAME_CAM_ANGLE_20 = 1 << 28;
         /// State of the main IMU. Published in the vendor's Python library only.
         const MAIN_IMU_STATE = 1 << 29;
-        /// These flags again, before all the rest. Published in the vendor's Python library only.
+        /// Repeats these flags before the other fields. Published in the vendor's Python library only.
         const INCLUDE_FLAGS = 1 << 31;
     }
 }
@@ -127,11 +127,10 @@ impl RealtimeDataCustomFlags {
     }
 }
 
-/// Custom real-time data: a time stamp, then the fields selected by the flags of the request or stream, in the order of
-/// the bits.
+/// Custom real-time data: a time stamp, followed by the fields that the flags of the request or stream select.
 ///
-/// Where both are chosen, `motor4_control` comes before `ahrs_debug_info`, as the bits do and against the printed
-/// table. Fields not selected are `None`.
+/// Fields are in the order of the flag bits; contrary to the specification's table, `motor4_control` therefore precedes
+/// `ahrs_debug_info`. Fields not selected are `None`.
 ///
 /// ```
 /// use sbgc_proto::commands::{RealtimeDataCustom, RealtimeDataCustomFlags as Flags};
@@ -161,37 +160,37 @@ pub struct RealtimeDataCustom {
     /// Target angles.
     #[wire(flag = TARGET_ANGLES)]
     pub target_angles: Option<PerAxis<Angle>>,
-    /// Target speed. [`Angles`](super::Angles) reports it in twice this step.
+    /// Target speed, in half the unit that [`Angles`](super::Angles) uses.
     #[wire(flag = TARGET_SPEED)]
     pub target_speed: Option<PerAxis<SensorRate>>,
-    /// Joint (stator–rotor) angles. Newer documents call them FRAME_CAM_ANGLE.
+    /// Joint (stator–rotor) angles. Newer documents call them `FRAME_CAM_ANGLE`.
     #[wire(flag = STATOR_ROTOR_ANGLE)]
     pub stator_rotor_angle: Option<PerAxis<Angle>>,
-    /// Gyroscope, with the calibrations applied.
+    /// Calibrated angular rates.
     #[wire(flag = GYRO_DATA)]
     pub gyro_data: Option<PerXyz<SensorRate>>,
     /// Control signals: ROLL, PITCH, YAW, CMD, FC_ROLL, FC_PITCH.
     #[wire(flag = RC_DATA, range = -16384..=16384)]
     pub rc_data: Option<[RcSignal; 6]>,
-    /// Gravity as a row of the rotation matrix. The third row is the cross product of the two.
+    /// Gravity vector, a row of the rotation matrix. The third row is the cross product of this and `h_vector`.
     #[wire(flag = Z_VECTOR_H_VECTOR, range = -1..=1)]
     pub z_vector: Option<PerXyz<Float>>,
-    /// Heading as a row of the rotation matrix.
+    /// Heading vector, a row of the rotation matrix.
     #[wire(flag = Z_VECTOR_H_VECTOR, range = -1..=1)]
     pub h_vector: Option<PerXyz<Float>>,
     /// Channels of the serial receiver (s-bus, Spektrum, Sum-PPM).
     #[wire(flag = RC_CHANNELS, range = -16384..=16384)]
     pub rc_channels: Option<[RcSignal; 18]>,
-    /// Accelerometer, with the calibrations applied.
+    /// Calibrated accelerations.
     #[wire(flag = ACC_DATA)]
     pub acc_data: Option<PerXyz<Acceleration>>,
-    /// Data for the controller of a fourth axis.
+    /// Data for an external controller of a fourth axis.
     #[wire(flag = MOTOR4_CONTROL, since = "2.68")]
     pub motor4_control: Option<Motor4Control>,
-    /// State of the attitude reference.
+    /// State of the attitude and heading reference system.
     #[wire(flag = AHRS_DEBUG_INFO, since = "2.66")]
     pub ahrs_debug_info: Option<AhrsDebugInfo>,
-    /// Raw angles of the encoders.
+    /// Raw encoder angles.
     #[wire(flag = ENCODER_RAW24, since = "2.68")]
     pub encoder_raw24: Option<PerAxis<EncoderAngle>>,
     /// Camera angles, from −π to π.
@@ -209,19 +208,19 @@ pub struct RealtimeDataCustom {
     /// Joint (stator–rotor) speed.
     #[wire(flag = FRAME_CAM_RATE, since = "2.70b6")]
     pub frame_cam_rate: Option<PerAxis<SensorRate>>,
-    /// Camera angles in fine steps.
+    /// Camera angles at high resolution.
     #[wire(flag = IMU_ANGLES_20, since = "2.70b8")]
     pub imu_angles_20: Option<PerAxis<FineAngle>>,
-    /// Target angles in fine steps.
+    /// Target angles at high resolution.
     #[wire(flag = TARGET_ANGLES_20, since = "2.70b8")]
     pub target_angles_20: Option<PerAxis<FineAngle>>,
-    /// Errors of communication.
+    /// Communication errors.
     #[wire(flag = COMM_ERRORS, since = "2.72b0")]
     pub comm_errors: Option<CommErrors>,
     /// System state.
     #[wire(flag = SYSTEM_STATE, since = "2.73")]
     pub system_state: Option<SystemStateBlock>,
-    /// Attitude of the camera as a quaternion.
+    /// Camera attitude as a quaternion.
     #[wire(flag = IMU_QUAT, since = "2.73")]
     pub imu_quat: Option<PackedQuaternion>,
     /// Target attitude as a quaternion.
@@ -230,16 +229,16 @@ pub struct RealtimeDataCustom {
     /// Rotation from IMU to frame as a quaternion.
     #[wire(flag = IMU_TO_FRAME_QUAT, since = "2.73")]
     pub imu_to_frame_quat: Option<PackedQuaternion>,
-    /// Analog inputs 1 to 4, each the mean of 8 ms.
+    /// Analog inputs 1 to 4, each averaged over 8 ms.
     #[wire(flag = ADC_CH_RAW, range = 0..=4096, since = "2.73")]
     pub adc_ch_raw: Option<[u16; 4]>,
     /// Distance of the joints to their software limits.
     #[wire(flag = SW_LIMITS_DIST, since = "2.73.8")]
     pub sw_limits_dist: Option<PerAxis<LimitDistances>>,
-    /// Distance to the neutral point of follow mode; 0 where an axis does not follow.
+    /// Distance to the neutral point of follow mode; 0 for axes that are not in follow mode.
     #[wire(flag = FOLLOW_DIST, since = "2.73.8")]
     pub follow_dist: Option<PerAxis<Angle>>,
-    /// Lower limits of the target angles. Where both limits are 0 there are none.
+    /// Lower limits of the target angles. An axis has no limits if both are 0.
     #[wire(flag = EXT_TARGET_LIMIT, since = "2.73.8")]
     pub ext_target_limit_min: Option<PerAxis<LongAngle>>,
     /// Upper limits of the target angles.

@@ -1,4 +1,4 @@
-//! The second set of real-time data that the host chooses.
+//! Second set of real-time data with fields selected by the host.
 
 use sbgc_proto_macros::message;
 
@@ -8,7 +8,7 @@ use crate::declare::flags;
 use crate::units::{Acceleration, Angle, SensorRate, StabilizationError};
 use crate::wire::{PerAxis, PerXyz, Reserved};
 
-/// Requests data of the second set.
+/// Requests selected real-time data of the second set once.
 ///
 /// The board answers with [`RealtimeDataCustom2`], which does not identify its fields: decode it with the requested
 /// flags, as [`decode_answer`](crate::Request::decode_answer) does.
@@ -28,9 +28,9 @@ flags! {
     pub struct RealtimeDataCustom2Flags: u32 {
         /// Frame attitude.
         const FRAME_IMU_ANGLES = 1 << 0;
-        /// Gyroscope of the frame.
+        /// Angular rates of the frame.
         const FRAME_GYRO = 1 << 1;
-        /// Accelerometer of the frame.
+        /// Accelerations of the frame.
         const FRAME_ACC = 1 << 2;
         /// Debug values.
         const DEBUG = 1 << 3;
@@ -52,10 +52,10 @@ impl RealtimeDataCustom2Flags {
     }
 }
 
-/// Data of the second set: a time stamp, then the fields selected by the flags of the request or stream, in the order
-/// of the bits.
+/// Second set of custom real-time data: a time stamp, followed by the fields that the flags of the request or stream
+/// select.
 ///
-/// Fields not selected are `None`.
+/// Fields are in the order of the flag bits. Fields not selected are `None`.
 #[message(
     CMD_REALTIME_DATA_CUSTOM2, incoming, size = 2..=52, since = "2.74.2",
     context(selection: RealtimeDataCustom2Flags)
@@ -71,10 +71,10 @@ pub struct RealtimeDataCustom2 {
     /// Frame attitude.
     #[wire(flag = FRAME_IMU_ANGLES)]
     pub frame_imu_angles: Option<PerAxis<Angle>>,
-    /// Gyroscope of the frame.
+    /// Angular rates of the frame.
     #[wire(flag = FRAME_GYRO)]
     pub frame_gyro: Option<PerXyz<SensorRate>>,
-    /// Accelerometer of the frame.
+    /// Accelerations of the frame.
     #[wire(flag = FRAME_ACC)]
     pub frame_acc: Option<PerXyz<Acceleration>>,
     /// Debug values (undocumented).
@@ -85,7 +85,7 @@ pub struct RealtimeDataCustom2 {
     pub mag_sens_data: Option<PerXyz<i16>>,
     /// Levels of extra buttons, two bits each: 0 low, 1 high, 2 not available.
     ///
-    /// The newer specification prints 12 bytes for this and the two fields after it; 8 are right.
+    /// The newer specification gives 12 bytes for this and the next two fields; 8 is correct.
     #[wire(flag = PIN_STATE)]
     pub extra_buttons_state: Option<u16>,
     /// Levels of pins, two bits each: 0 low, 1 high, 2 not available.

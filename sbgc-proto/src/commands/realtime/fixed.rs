@@ -1,4 +1,4 @@
-//! Real-time data of fixed layout.
+//! Real-time data with a fixed layout.
 
 use sbgc_proto_macros::{message, record};
 
@@ -7,9 +7,9 @@ use crate::commands::{ImuType, ProfileId};
 use crate::units::{Acceleration, Angle, AttitudeError, SensorRate, Voltage};
 use crate::wire::{PerAxis, PerXyz, Reserved};
 
-/// Requests real-time data by the old id.
+/// Requests real-time data by the old command id.
 ///
-/// The answer has another: it is [`RealtimeData3`].
+/// The answer has a different id: [`RealtimeData3`].
 #[message(CMD_REALTIME_DATA, outgoing, size = 0, answer = RealtimeData3)]
 pub struct RealtimeDataRequest;
 
@@ -24,54 +24,54 @@ pub struct RealtimeData3 {
     /// Sensors of each axis.
     #[wire(group)]
     pub axes: PerAxis<SensorAxis>,
-    /// Errors of the serial connection since the start.
+    /// Number of serial communication errors since the start.
     pub serial_err_cnt: u16,
-    /// Errors of the system.
+    /// System errors.
     pub system_error: SystemErrors,
     /// Reason for the emergency stop of the motors.
     pub system_sub_error: SystemSubError,
     pub reserved: Reserved<3>,
-    /// Control signal for ROLL, PWM or analog brought to the same range.
+    /// Control signal for ROLL: PWM, or analog scaled to the same range.
     #[wire(range = 1000..=2000)]
     pub rc_roll: i16,
-    /// Control signal for PITCH.
+    /// Control signal for PITCH, scaled like `rc_roll`.
     #[wire(range = 1000..=2000)]
     pub rc_pitch: i16,
-    /// Control signal for YAW.
+    /// Control signal for YAW, scaled like `rc_roll`.
     #[wire(range = 1000..=2000)]
     pub rc_yaw: i16,
-    /// Signal of the command channel.
+    /// Signal of the command channel, scaled like `rc_roll`.
     #[wire(range = 1000..=2000)]
     pub rc_cmd: i16,
-    /// Signal of the flight controller for ROLL. It may be 0 where the input serves for control or commands.
+    /// Signal of the flight controller for ROLL; may be 0 if the input is used for control or commands.
     #[wire(range = 1000..=2000)]
     pub ext_fc_roll: i16,
-    /// Signal of the flight controller for PITCH. It may be 0 as that for ROLL may.
+    /// Signal of the flight controller for PITCH; may be 0 if the input is used for control or commands.
     #[wire(range = 1000..=2000)]
     pub ext_fc_pitch: i16,
     /// Camera angles.
     pub imu_angle: PerAxis<Angle>,
-    /// Frame attitude, if the frame has an IMU.
+    /// Frame attitude, if a frame IMU is present.
     pub frame_imu_angle: PerAxis<Angle>,
     /// Target camera angles.
     pub target_angle: PerAxis<Angle>,
-    /// Time that a cycle of the firmware takes; normally 800.
+    /// Cycle time of the firmware, normally 800.
     #[wire(unit = "us")]
     pub cycle_time: u16,
-    /// Errors of the I2C bus since the start.
+    /// Number of I2C bus errors since the start.
     pub i2c_error_count: u16,
-    /// Out of use; `system_error` took its place.
+    /// Obsolete; replaced by `system_error`.
     pub error_code: u8,
-    /// Voltage of the battery.
+    /// Battery voltage.
     pub bat_level: Voltage,
-    /// Whether the motors are on.
+    /// Motor power state.
     pub rt_data_flags: RtDataFlags,
-    /// The IMU that `imu_angle` and the sensor values are of, as [`SelectImu3`](crate::commands::SelectImu3) chose it.
+    /// IMU that `imu_angle` and the sensor values refer to, as selected by [`SelectImu3`](crate::commands::SelectImu3).
     pub cur_imu: ImuType,
-    /// The active profile.
+    /// Active profile.
     #[wire(range = 0..=4)]
     pub cur_profile: ProfileId,
-    /// Power of each motor, 255 at most.
+    /// Power of each motor; 255 is the maximum.
     pub motor_power: PerAxis<u8>,
 }
 
@@ -79,32 +79,32 @@ pub struct RealtimeData3 {
 #[record(size = 4)]
 #[derive(Copy)]
 pub struct SensorAxis {
-    /// Accelerometer.
+    /// Acceleration.
     pub acc_data: Acceleration,
-    /// Gyroscope.
+    /// Angular rate.
     pub gyro_data: SensorRate,
 }
 
-/// Requests all of [`RealtimeData3`], and joint angles, balance, current, magnetometer, temperatures and motor output.
+/// Requests [`RealtimeData3`] plus joint angles, balance, current, magnetometer, temperatures and motor output.
 #[message(CMD_REALTIME_DATA_4, outgoing, size = 0, answer = RealtimeData4)]
 pub struct RealtimeData4Request;
 
-/// All of [`RealtimeData3`], and joint angles, balance, current, magnetometer, temperatures and motor output.
+/// [`RealtimeData3`] plus joint angles, balance, current, magnetometer, temperatures and motor output.
 #[message(CMD_REALTIME_DATA_4, incoming, size = 124)]
 #[derive(Copy)]
 pub struct RealtimeData4 {
-    /// Fields of the shorter message, in the same first 63 bytes.
+    /// Fields of [`RealtimeData3`], in the first 63 bytes.
     #[wire(group)]
     pub realtime_data_3: RealtimeData3,
-    /// Joint (stator–rotor) angles from encoders, the second IMU or otherwise; 0 is the normal position.
+    /// Joint (stator–rotor) angles from encoders, the second IMU or another source; 0 is the normal position.
     ///
-    /// Newer documents call it FRAME_CAM_ANGLE.
+    /// Newer documents call them `FRAME_CAM_ANGLE`.
     pub stator_rotor_angle: PerAxis<Angle>,
     pub reserved_1: Reserved<1>,
-    /// Balance error of each motor: 0 when balanced, 512 at full power.
+    /// Balance error of each motor: 0 is perfectly balanced, 512 is full power.
     #[wire(range = -512..=512)]
     pub balance_error: PerAxis<i16>,
-    /// Current of the whole system.
+    /// Total current of the system.
     #[wire(unit = "mA")]
     pub current: u16,
     /// Magnetometer, each component calibrated to ±1000.
@@ -113,21 +113,21 @@ pub struct RealtimeData4 {
     /// Temperature of the IMU.
     #[wire(unit = "degC", range = -127..=127)]
     pub imu_temperature: i8,
-    /// Temperature of the frame's IMU.
+    /// Temperature of the frame IMU.
     #[wire(unit = "degC", range = -127..=127)]
     pub frame_imu_temperature: i8,
     /// Error of the estimated gravity of the active IMU against its reference.
     pub imu_g_err: AttitudeError,
     /// Error of the estimated heading of the active IMU against its reference.
     pub imu_h_err: AttitudeError,
-    /// Motor output, 10000 at full power; firmware with encoders only.
+    /// Motor output; 10000 is full power. Firmware for encoders only.
     #[wire(range = -10000..=10000, since = "2.61")]
     pub motor_out: PerAxis<i16>,
     /// Running calibration or automatic task. Reserved in older firmware.
     pub calib_mode: CalibMode,
-    /// Error of the sensor behind a CAN IMU. Reserved before newer firmware.
+    /// Error of the external sensor of a CAN IMU. Reserved in older firmware.
     pub can_imu_ext_sens_err: u8,
-    /// The angle that control works on: that of the IMU in inertial modes, of the motor in modes relative to motors.
+    /// Angle used for control: the IMU angle in inertial modes, the motor angle in modes relative to motors.
     #[wire(since = "2.72b0")]
     pub actual_angle: PerAxis<Angle>,
     /// System state flags.

@@ -1,7 +1,7 @@
-//! What the gimbal does right now: sensors, angles, errors, power.
+//! Real-time data: sensors, angles, errors and power.
 //!
-//! The blocks of fixed layout are in `fixed`, the angles alone in `angles`. In `custom` and `custom2` the host chooses
-//! what an answer holds, and has to remember it to read the answer; the parts they are made of are in `blocks`.
+//! Messages with a fixed layout are in `fixed`, those with angles only in `angles`. In `custom` and `custom2` the host
+//! selects the fields and needs the selection again to decode the answer; the records they consist of are in `blocks`.
 
 mod angles;
 mod blocks;

@@ -1,34 +1,34 @@
-//! States and errors that the real-time data report.
+//! States and errors reported in real-time data.
 
 use crate::declare::flags;
 use sbgc_proto_macros::open_enum;
 
 flags! {
-    /// Errors of the system; none set: no error. Spec: `SYSTEM_ERROR`.
+    /// System errors; empty if there are none. Spec: `SYSTEM_ERROR`.
     pub struct SystemErrors: u16, prefix "ERR_" {
-        /// No IMU answers.
+        /// No IMU responds.
         const NO_SENSOR = 1 << 0;
         /// The accelerometer is not calibrated.
         const CALIB_ACC = 1 << 1;
-        /// The power of the motors is not set.
+        /// Motor power is not set.
         const SET_POWER = 1 << 2;
         /// The motor poles are not calibrated.
         const CALIB_POLES = 1 << 3;
-        /// A protection has acted.
+        /// A protection was triggered.
         const PROTECTION = 1 << 4;
-        /// The serial connection has errors.
+        /// Serial communication errors.
         const SERIAL = 1 << 5;
-        /// The battery is below the level of alarm.
+        /// Battery voltage is below the alarm level.
         const LOW_BAT1 = 1 << 6;
-        /// The battery is below the level at which the motors stop.
+        /// Battery voltage is below the level at which the motors are turned off.
         const LOW_BAT2 = 1 << 7;
-        /// The version of the GUI does not match the firmware.
+        /// The GUI version does not match the firmware.
         const GUI_VERSION = 1 << 8;
-        /// Motors miss steps.
+        /// Motors lose steps.
         const MISS_STEPS = 1 << 9;
-        /// A system error.
+        /// System error.
         const SYSTEM = 1 << 10;
-        /// Emergency stop of the motors; [`SystemSubError`] has the reason.
+        /// Emergency stop of the motors; see [`SystemSubError`] for the reason.
         const EMERGENCY_STOP = 1 << 11;
     }
 }
@@ -159,7 +159,7 @@ pub enum SystemSubError {
 }
 
 flags! {
-    /// Whether the motors are on. Spec: `RT_DATA_FLAGS`.
+    /// Motor power state. Spec: `RT_DATA_FLAGS`.
     pub struct RtDataFlags: u8 {
         /// The motors are on.
         const MOTORS_ON = 1 << 0;
@@ -167,29 +167,29 @@ flags! {
 }
 
 flags! {
-    /// System state flags. The first five are those of the board information. Spec: `SYSTEM_STATE_FLAGS`.
+    /// System state flags; the first five equal those of the board information. Spec: `SYSTEM_STATE_FLAGS`.
     pub struct SystemStateFlags: u32 {
         /// The board is in debug mode.
         const DEBUG_MODE = 1 << 0;
         /// The frame is upside down.
         const IS_FRAME_INVERTED = 1 << 1;
-        /// The first step of the start is done.
+        /// The first step of the start-up is done.
         const INIT_STEP1_DONE = 1 << 2;
-        /// The second step of the start is done.
+        /// The second step of the start-up is done.
         const INIT_STEP2_DONE = 1 << 3;
-        /// The automatic routine of the start is done.
+        /// The automatic start-up routine is done.
         const STARTUP_AUTO_ROUTINE_DONE = 1 << 4;
-        /// The power manager works.
+        /// Power management is enabled.
         const POWER_MANAGER_ENABLED = 1 << 5;
-        /// The shake generator works.
+        /// The shake generator is enabled.
         const SHAKE_GEN_ENABLED = 1 << 8;
         /// Servo mode is on.
         const SERVO_MODE_ENABLED = 1 << 9;
-        /// ROLL follows the frame.
+        /// Follow mode is on for ROLL.
         const FOLLOW_MODE_ROLL = 1 << 10;
-        /// PITCH follows the frame.
+        /// Follow mode is on for PITCH.
         const FOLLOW_MODE_PITCH = 1 << 11;
-        /// YAW follows the frame.
+        /// Follow mode is on for YAW.
         const FOLLOW_MODE_YAW = 1 << 12;
         /// Tripod mode is on.
         const TRIPOD_MODE_ENABLED = 1 << 13;
@@ -201,11 +201,11 @@ flags! {
 /// Running calibration or automatic task. Spec: `CALIB_MODE`.
 #[open_enum(u8)]
 pub enum CalibMode {
-    /// None.
+    /// No calibration or task.
     None = 0,
-    /// Calibration of the external flight controller's gain.
+    /// Calibration of the gains of an external flight controller.
     ExtGain = 1,
-    /// Sets an angle by hand and saves it.
+    /// Setting an angle by hand and saving it.
     SetAngleAndSave = 2,
     /// Calibration of motor poles.
     Poles = 3,
@@ -213,9 +213,9 @@ pub enum CalibMode {
     Acc = 4,
     /// Calibration of the gyroscope.
     Gyro = 5,
-    /// Calibration of the encoders' offset.
+    /// Calibration of the encoder offset.
     EncoderOffset = 6,
-    /// Calibration of the encoders' electrical field offset.
+    /// Calibration of the encoder field offset.
     EncoderFldOffset = 7,
     /// Automatic PID tuning.
     AutoPid = 8,
@@ -227,7 +227,7 @@ pub enum CalibMode {
     AccTemp = 11,
     /// Calibration of the magnetometer.
     Mag = 12,
-    /// Sets an angle by hand.
+    /// Setting an angle by hand.
     SetAngle = 13,
     /// System identification.
     SystemIdent = 14,
@@ -235,51 +235,51 @@ pub enum CalibMode {
     MotorMagLink = 15,
     /// Search for mechanical limits.
     SearchLimits = 16,
-    /// Moves to the position of operation.
+    /// Moving to the operating position.
     SetOperationPos = 17,
-    /// Correction of the IMU's orientation.
+    /// Correction of the IMU orientation.
     ImuOrientationCorr = 18,
-    /// Timelapse.
+    /// Time-lapse motion.
     Timelapse = 19,
-    /// Momentum.
+    /// Estimation of moments of inertia.
     Momentum = 20,
-    /// Momentum, automatic.
+    /// Automatic estimation of moments of inertia.
     MomentumAuto = 21,
     /// Calibration of motor cogging.
     Cogging = 22,
-    /// Calibration of the accelerometer by an external reference.
+    /// Calibration of the accelerometer against an external reference.
     AccExtRef = 23,
     /// Safe stop.
     SafeStop = 24,
     /// Calibration of the accelerometer on a sphere.
     AccSphere = 25,
-    /// Alignment of the gyroscope's axes.
+    /// Alignment of the gyroscope axes.
     GyroAxesAlignment = 26,
-    /// Calibration of the external IMU's gyroscope.
+    /// Calibration of the gyroscope of the external IMU.
     ExtImuGyro = 27,
     /// Alignment of the external IMU.
     ExtImuAlign = 28,
     /// Calibration of accelerometer and gyroscope in many positions.
     AccGyroMultipoint = 34,
-    /// Calibration of an encoder's lookup table.
+    /// Calibration of the lookup table of an encoder.
     EncoderLut = 35,
-    /// Writes parameters.
+    /// Writing parameters.
     WriteParams = 36,
     /// Calibration of current sensors.
     CurSens = 37,
-    /// Moves the motors to their home position.
+    /// Moving motors to their home position.
     MoveHomeMotors = 38,
-    /// Calibration inside the encoder.
+    /// Internal calibration of an encoder.
     EncoderInt = 39,
     /// Vibration test.
     VibrationTest = 40,
-    /// Moves to the retracted position.
+    /// Moving to the retracted position.
     RetractedPosition = 41,
-    /// Moves to the retracted position under remote control.
+    /// Moving to the retracted position under RC control.
     RetractedPositionRcControl = 42,
 }
 
-/// Whether the motors have power. Spec: `POWER_STATE`.
+/// State of motor power. Spec: `POWER_STATE`.
 #[open_enum(i8)]
 pub enum PowerState {
     /// On, from the backup supply.
@@ -290,9 +290,9 @@ pub enum PowerState {
     Off = 0,
     /// On.
     On = 1,
-    /// Off for a while.
+    /// Temporarily off.
     OffTemporary = 2,
-    /// Off, parking.
+    /// Off, parked.
     OffParking = 3,
     /// On, in a safe stop.
     OnSafeStop = 4,
@@ -301,11 +301,11 @@ pub enum PowerState {
 flags! {
     /// State flags of one motor. Spec: `MOTOR_FLAGS`.
     pub struct MotorFlags: u16 {
-        /// It is beyond a software limit.
+        /// The motor is beyond a software limit.
         const SW_LIMIT_VIOLATED = 1 << 0;
-        /// Its current is beyond the limit.
+        /// The motor current exceeds its limit.
         const CURRENT_EXCEEDS_LIMIT = 1 << 1;
-        /// Its driver is on.
+        /// The motor driver is on.
         const DRIVER_ENABLED = 1 << 2;
     }
 }
@@ -315,23 +315,23 @@ flags! {
     pub struct SystemPowerFlags: u16 {
         /// A motor is beyond a software limit.
         const SW_LIMIT_VIOLATED = 1 << 0;
-        /// Something is getting too hot.
+        /// A component is overheating.
         const OVERHEAT_WARNING = 1 << 1;
-        /// A driver warns that it is too hot. Newer firmware.
+        /// A motor driver reports an over-temperature warning. Newer firmware.
         const DRIVER_OTW = 1 << 2;
-        /// A driver has a fault. Newer firmware.
+        /// A motor driver reports a fault. Newer firmware.
         const DRIVER_FAULT = 1 << 3;
     }
 }
 
 flags! {
-    /// Errors of the CAN bus. Spec: `CAN_ERR_FLAGS`.
+    /// CAN bus errors. Spec: `CAN_ERR_FLAGS`.
     pub struct CanErrFlags: u8, prefix "ERR_" {
-        /// The controller warned of errors.
+        /// The CAN controller reached the error warning level.
         const WARN_IRQ = 1 << 0;
-        /// The controller went passive.
+        /// The CAN controller entered the error passive state.
         const PASSIVE_IRQ = 1 << 1;
-        /// The controller left the bus.
+        /// The CAN controller entered the bus-off state.
         const BUS_OFF_IRQ "BUS_OFF_IRQ" = 1 << 2;
     }
 }

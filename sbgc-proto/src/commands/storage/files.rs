@@ -35,22 +35,21 @@ pub struct FilePart<'a> {
     pub file_size: u16,
     /// Offset of the part, as requested.
     pub page_offset: PageOffset,
-    /// Contents of the part, in the requested size, or shorter at the end of the file.
+    /// Contents of the part, as many bytes as requested, or fewer at the end of the file.
     pub data: &'a [u8],
 }
 
-/// Error of reading a part of a file.
+/// Error reply to a request for a part of a file.
 #[message(CMD_READ_FILE, incoming, form = "error", size = 1, length = 1)]
 pub struct FilePartError {
-    /// Why.
+    /// Error code.
     pub err_code: FsErrorCode,
 }
 
 /// Writes a part of a file.
 ///
-/// A file that does not exist is made, and one of another size is made to have
-/// [`file_size`](Self::file_size). The board confirms always, with a [`FsErrorCode`] as the data of the
-/// confirmation. Without data this would be a [`WriteFileDelete`].
+/// Creates the file if it does not exist, and resizes it to [`file_size`](Self::file_size). Always confirmed, with an
+/// [`FsErrorCode`] as the data of the confirmation. A message without data is a [`WriteFileDelete`].
 #[message(CMD_WRITE_FILE, outgoing, form = "write", default, size = 7..=255, length = 7.., answer = Confirm)]
 pub struct WriteFile<'a> {
     /// File id.
@@ -60,14 +59,15 @@ pub struct WriteFile<'a> {
     pub file_size: u16,
     /// Offset of the part.
     pub page_offset: PageOffset,
-    /// Contents of the part, at least one byte. The specification requires less than the file size, but a small file
-    /// must fit.
+    /// Contents of the part, at least one byte. The specification requires fewer bytes than the file size, but a small
+    /// file must fit into one part.
     pub data: &'a [u8],
 }
 
-/// Deletes a file: a write without data.
+/// Deletes a file.
 ///
-/// The board confirms always, with a [`FsErrorCode`] as the data of the confirmation.
+/// On the wire, this is a write without data. Always confirmed, with an [`FsErrorCode`] as the data of the
+/// confirmation.
 #[message(CMD_WRITE_FILE, outgoing, form = "delete", size = 6, length = 6, answer = Confirm)]
 pub struct WriteFileDelete {
     /// File id.
@@ -79,14 +79,14 @@ pub struct WriteFileDelete {
     pub page_offset: PageOffset,
 }
 
-/// Deletes all files.
+/// Deletes all files of the internal file system.
 ///
-/// Takes about five seconds and, according to the vendor's library, also erases settings in the EEPROM. The board
-/// confirms when it is done, with a [`FsErrorCode`] as the data of the confirmation.
+/// Takes about five seconds and, according to the vendor's library, also erases settings in the EEPROM. Confirmed at
+/// the end, with an [`FsErrorCode`] as the data of the confirmation.
 #[message(CMD_FS_CLEAR_ALL, outgoing, size = 0, answer = Confirm, slow)]
 pub struct FsClearAll;
 
-/// File id: its type, and a number among files of that type.
+/// File id: the file type, and a number among files of that type.
 ///
 /// ```
 /// use sbgc_proto::commands::{FileId, FileType};
@@ -97,17 +97,17 @@ pub struct FsClearAll;
 /// ```
 #[bit_fields(u16)]
 pub struct FileId {
-    /// Type of the file: the first byte on the wire.
+    /// File type, the first byte on the wire.
     #[wire(bits = 0..=7)]
     pub file_type: FileType,
-    /// Number among files of its type, for a script the slot. The specification only states that it depends
-    /// on the type.
+    /// Number among files of the same type; for a script, its slot. The specification only states that it depends on
+    /// the type.
     #[wire(bits = 8..=15)]
     pub number: u8,
 }
 
 impl FileId {
-    /// The file of this type and number.
+    /// Creates a file id from a type and a number.
     pub fn new(file_type: FileType, number: u8) -> Self {
         Self(0).with_file_type(file_type).with_number(number)
     }
@@ -116,21 +116,21 @@ impl FileId {
 /// File type. Spec: `FILE_TYPE`.
 #[open_enum(u8, prefix = "FILE_TYPE_")]
 pub enum FileType {
-    /// A script of the user.
+    /// User script.
     Script = 1,
-    /// Calibrations of an IMU.
+    /// Calibration data of an IMU.
     ImuCalib = 3,
-    /// Corrections for the cogging of a motor.
+    /// Cogging correction of a motor.
     CoggingCorrection = 4,
-    /// A look-up table for an adjustable variable.
+    /// Lookup table of an adjustable variable.
     AdjVarLut = 5,
-    /// A set of profiles, as `CMD_PROFILE_SET` keeps them.
+    /// Profile set, see `CMD_PROFILE_SET`.
     ProfileSet = 6,
     /// Parameters.
     Params = 7,
-    /// A tune for the beeper.
+    /// Melody of the buzzer.
     Tune = 8,
-    /// Data of motor drivers on the CAN bus.
+    /// Data of CAN motor drivers.
     #[wire(spec = "FILE_TYPE_CANDRV")]
     CanDrv = 10,
 }

@@ -1,4 +1,4 @@
-//! Storage on the board: EEPROM, files, user data and the persistent state.
+//! Storage on the board: EEPROM, files, user data and state variables.
 
 mod eeprom;
 mod files;

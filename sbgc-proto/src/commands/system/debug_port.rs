@@ -1,4 +1,4 @@
-//! Listening to what goes over the other ports.
+//! Monitoring of the traffic on other ports.
 
 use sbgc_proto_macros::{bit_fields, message, open_enum};
 
@@ -7,9 +7,9 @@ use crate::commands::Confirm;
 use crate::declare::flags;
 use crate::wire::Reserved;
 
-/// Has the board send a copy of what goes over its other ports, or stop that.
+/// Starts or stops sending copies of the messages on other ports.
 ///
-/// The board confirms it.
+/// Confirmed on success.
 #[message(CMD_SET_DEBUG_PORT, outgoing, size = 16, since = "2.66b4", answer = Confirm)]
 pub struct SetDebugPortRequest {
     /// Action to perform.
@@ -19,57 +19,57 @@ pub struct SetDebugPortRequest {
     pub reserved: Reserved<11>,
 }
 
-/// A message that went over another port.
+/// Copy of a message on another port.
 ///
-/// Only such as were intact are sent.
-///
-/// What the board does with a payload too long for the 251 bytes that are left for it is not known.
+/// Only intact messages are reported. How the board handles payloads longer than the 251 bytes available here is
+/// unknown.
 #[message(CMD_SET_DEBUG_PORT, incoming, size = 4..=255, since = "2.66b4")]
 pub struct SetDebugPort<'a> {
-    /// When it was seen: the time since the start, which begins again after 65.5 s.
+    /// Time stamp of the board, wrapping after 65535.
     #[wire(unit = "ms")]
     pub time_ms: u16,
-    /// Over which port it went, and which way.
+    /// Port and direction of the message.
     pub port_and_dir: PortAndDirection,
-    /// Its command.
+    /// Command of the message.
     pub cmd_id: CommandId,
-    /// Its payload.
+    /// Payload of the message.
     pub payload: &'a [u8],
 }
 
-/// A port, and which way a message went over it.
+/// Port and direction of a message.
 #[bit_fields(u8)]
 pub struct PortAndDirection {
-    /// Number of the port.
+    /// Port number.
     #[wire(bits = 0..=6)]
     pub port: u8,
-    /// Direction. Which direction 1 means is unknown.
+    /// Direction. The meaning of 0 and 1 is unknown.
     #[wire(bits = 7, spec = "DIR")]
     pub direction: bool,
 }
 
-/// Starts or stops the copy. Spec: `DEBUG_PORT_ACTION`.
+/// Starts or stops the monitoring of other ports. Spec: `DEBUG_PORT_ACTION`.
 #[open_enum(u8)]
 pub enum DebugPortAction {
-    /// Send it no longer.
+    /// Stops sending copies.
     Stop = 0,
-    /// Send it to the port that this command comes on.
+    /// Sends copies to the port that receives this command.
     Start = 1,
 }
 
 flags! {
-    /// Messages to omit: a set bit suppresses them. Only the `plus` firmware evaluates this. Spec:
-    /// `DEBUG_PORT_FILTER`.
+    /// Messages to omit; a set bit suppresses a message. Spec: `DEBUG_PORT_FILTER`.
+    ///
+    /// Evaluated by firmware for "plus" boards only.
     pub struct DebugPortFilter: u32, prefix "CMD_" {
         /// Real-time data.
         const REALTIME_DATA_3 = 1 << 0;
         /// Extended real-time data.
         const REALTIME_DATA_4 = 1 << 1;
-        /// Real-time data chosen by flags.
+        /// Custom real-time data.
         const REALTIME_DATA_CUSTOM = 1 << 2;
         /// Debug variables.
         const DEBUG_VARS_3 = 1 << 3;
-        /// Debug information of MAVLink.
+        /// MAVLink debug information.
         const MAVLINK_DEBUG = 1 << 4;
         /// Angles.
         const GET_ANGLES = 1 << 5;
@@ -79,17 +79,17 @@ flags! {
         const BODE_TEST_DATA = 1 << 7;
         /// Helper data from a flight controller.
         const HELPER_DATA = 1 << 8;
-        /// Attitude from or to another system.
+        /// Attitude exchanged with another system.
         const AHRS_HELPER = 1 << 9;
         /// Corrections of the gyroscope.
         const GYRO_CORRECTION = 1 << 10;
-        /// Control.
+        /// Control commands.
         const CONTROL = 1 << 11;
         /// Changes of adjustable variables.
         const SET_ADJ_VARS_VAL = 1 << 12;
         /// Virtual channels.
         const API_VIRT_CH_CONTROL = 1 << 13;
-        /// Virtual channels in high resolution.
+        /// Virtual channels at high resolution.
         const API_VIRT_CH_HIGH_RES = 1 << 14;
     }
 }

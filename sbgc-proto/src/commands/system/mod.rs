@@ -1,4 +1,4 @@
-//! What concerns the connection and the board as such: signatures, passwords, serial ports.
+//! System functions: signatures, passwords and serial ports.
 
 mod debug_port;
 mod protection;

@@ -6,23 +6,23 @@ use crate::commands::Confirm;
 use crate::declare::flags;
 use crate::wire::{Bytes, Reserved, Text};
 
-/// Has the board sign a message with its secret keys.
+/// Requests a signature of a message by the secret keys of the board.
 #[message(CMD_SIGN_MESSAGE, outgoing, size = 33, answer = SignMessage)]
 pub struct SignMessageRequest {
     /// Key set to sign with.
     pub sign_type: u8,
-    /// The message; shorter ones are filled up with zeros.
+    /// Message to sign; pad shorter messages with zeros.
     pub message: Bytes<32>,
 }
 
-/// The signature of a message.
+/// Signature of a message.
 #[message(CMD_SIGN_MESSAGE, incoming, size = 32)]
 pub struct SignMessage {
-    /// The signature.
+    /// Signature.
     pub signature: Bytes<32>,
 }
 
-/// Asks what the password protects.
+/// Requests the functions protected by the password.
 #[message(CMD_PASS_PROTECT_READ, outgoing, size = 0, since = "2.73.6", answer = PassProtectRead)]
 pub struct PassProtectReadRequest;
 
@@ -36,17 +36,15 @@ pub struct PassProtectRead {
     pub reserved: Reserved<4>,
 }
 
-/// Sets what the password protects, and the password.
+/// Sets the functions protected by the password, and the password.
 ///
-/// The board confirms it.
-///
-/// Published in the vendor's Python library only.
+/// Confirmed on success. Published in the vendor's Python library only.
 #[message(CMD_PASS_PROTECT_WRITE, outgoing, size = 9..=41, since = "2.73.6", answer = Confirm)]
 pub struct PassProtectWrite<'a> {
     /// Functions to protect.
     pub flags: PassProtectFlags,
     pub reserved: Reserved<4>,
-    /// The new password of at most 32 bytes; an empty one keeps the present password.
+    /// New password, at most 32 bytes; if empty, the current password is kept.
     pub new_password: Text<'a>,
 }
 
@@ -69,17 +67,17 @@ flags! {
         const CHANNEL_5_ENABLED = 1 << 8;
         /// Channel 6 is protected.
         const CHANNEL_6_ENABLED = 1 << 9;
-        /// Channel 1, though protected, may control the gimbal.
+        /// Channel 1 may control the gimbal although it is protected.
         const CHANNEL_1_ALLOW_CONTROL = 1 << 10;
-        /// Channel 2, though protected, may control the gimbal.
+        /// Channel 2 may control the gimbal although it is protected.
         const CHANNEL_2_ALLOW_CONTROL = 1 << 11;
-        /// Channel 3, though protected, may control the gimbal.
+        /// Channel 3 may control the gimbal although it is protected.
         const CHANNEL_3_ALLOW_CONTROL = 1 << 12;
-        /// Channel 4, though protected, may control the gimbal.
+        /// Channel 4 may control the gimbal although it is protected.
         const CHANNEL_4_ALLOW_CONTROL = 1 << 13;
-        /// Channel 5, though protected, may control the gimbal.
+        /// Channel 5 may control the gimbal although it is protected.
         const CHANNEL_5_ALLOW_CONTROL = 1 << 14;
-        /// Channel 6, though protected, may control the gimbal.
+        /// Channel 6 may control the gimbal although it is protected.
         const CHANNEL_6_ALLOW_CONTROL = 1 << 15;
     }
 }

@@ -1,10 +1,10 @@
-//! Serial ports of devices on the CAN bus.
+//! Serial ports of the board and of devices on the CAN bus.
 
 use sbgc_proto_macros::{bit_fields, message, open_enum};
 
-/// Sends bytes to a serial port of a device on the CAN bus.
+/// Sends bytes to a serial port of a device.
 ///
-/// Only boards of the extended family can.
+/// Available on boards of the extended family only.
 #[message(CMD_TRANSPARENT_SAPI, outgoing, size = 1..=255, since = "2.72b0")]
 pub struct TransparentSapiRequest<'a> {
     /// Target device and port.
@@ -13,9 +13,9 @@ pub struct TransparentSapiRequest<'a> {
     pub data: &'a [u8],
 }
 
-/// Bytes that came from a serial port of a device on the CAN bus.
+/// Bytes received from a serial port of a device.
 ///
-/// The [`target`](Self::target) in this direction is that of the vendor's libraries; a third-party library has none.
+/// In this direction, only the vendor's libraries have the [`target`](Self::target); a third-party library has none.
 #[message(CMD_TRANSPARENT_SAPI, incoming, size = 1..=255, since = "2.72b0")]
 pub struct TransparentSapi<'a> {
     /// Target device and port.
@@ -24,7 +24,7 @@ pub struct TransparentSapi<'a> {
     pub data: &'a [u8],
 }
 
-/// A serial port of a device.
+/// Serial port of a device.
 ///
 /// | device | ports |
 /// | --- | --- |
@@ -35,55 +35,55 @@ pub struct TransparentSapi<'a> {
 /// | motor drivers | 0 UART2 |
 #[bit_fields(u8)]
 pub struct SapiTarget {
-    /// The port; what the number means depends on the device.
+    /// Port number, whose meaning depends on the device.
     #[wire(bits = 0..=1)]
     pub port: u8,
-    /// The device. The vendor's libraries list numbers that stand in these bits for the board only; for the
-    /// others they take those of the published definitions, which are the ones here.
+    /// Device. The vendor's libraries list values that match these bits for the board only; the others here are those
+    /// of the published definitions.
     #[wire(bits = 2..=5)]
     pub device: SapiDevice,
-    /// Whether to wait until the bytes can be sent; otherwise they are dropped when the port is busy.
+    /// Whether to wait until the bytes can be sent; otherwise they are dropped if the port is busy.
     #[wire(bits = 6)]
     pub wait: bool,
 }
 
 impl SapiTarget {
-    /// A port of a device, without waiting.
+    /// Creates a target from a device and a port, without waiting.
     pub fn new(device: SapiDevice, port: u8) -> Self {
         Self(0).with_device(device).with_port(port)
     }
 }
 
-/// A device with serial ports. Spec: `TRANSPARENT_SAPI_DEVICE`.
+/// Device with serial ports. Spec: `TRANSPARENT_SAPI_DEVICE`.
 #[open_enum(u8)]
 pub enum SapiDevice {
-    /// The board itself.
+    /// SimpleBGC32 board.
     #[wire(spec = "SBGC32")]
     Sbgc32 = 1,
-    /// The GPS and IMU.
+    /// GPS_IMU.
     GpsImu = 2,
-    /// The main IMU on the CAN bus.
+    /// Main IMU on the CAN bus.
     CanImuMain = 3,
-    /// The IMU of the frame on the CAN bus.
+    /// Frame IMU on the CAN bus.
     CanImuFrame = 4,
-    /// The split GPS receiver.
+    /// Split GPS receiver.
     GpsSplitRcvr = 5,
-    /// The first serial hub on the CAN bus.
+    /// Serial hub 1 on the CAN bus.
     #[wire(spec = "CAN_SERIAL_HUB1")]
     CanSerialHub1 = 6,
-    /// The second serial hub on the CAN bus.
+    /// Serial hub 2 on the CAN bus.
     #[wire(spec = "CAN_SERIAL_HUB2")]
     CanSerialHub2 = 7,
-    /// The first motor driver on the CAN bus.
+    /// CAN motor driver 1.
     #[wire(spec = "CAN_DRV1")]
     CanDrv1 = 8,
-    /// The second motor driver on the CAN bus.
+    /// CAN motor driver 2.
     #[wire(spec = "CAN_DRV2")]
     CanDrv2 = 9,
-    /// The third motor driver on the CAN bus.
+    /// CAN motor driver 3.
     #[wire(spec = "CAN_DRV3")]
     CanDrv3 = 10,
-    /// The fourth motor driver on the CAN bus.
+    /// CAN motor driver 4.
     #[wire(spec = "CAN_DRV4")]
     CanDrv4 = 11,
 }

@@ -1,37 +1,38 @@
-//! Automatic tuning of the PID loops, first version.
+//! Automatic PID tuning, first version.
 
 use sbgc_proto_macros::{message, open_enum, record};
 
 use crate::commands::{AutoPidFlags, Confirm, ProfileId};
 use crate::wire::{Float, PerAxis, Reserved};
 
-/// Starts or stops automatic tuning, in firmware that does not have the second version yet.
+/// Starts or stops automatic PID tuning, in firmware without the second version.
 ///
-/// **The gimbal moves.** One `CMD_CONFIRM` comes at the start. While it runs, [`AutoPid`] tells the progress if
-/// [`AutoPidFlags::SEND_GUI`] is set. When it is done the board sends the parameters of the profile that was tuned, or
-/// of all profiles, unsolicited (`CMD_READ_PARAMS_3` and the other blocks). How long it takes is not published.
-/// A command of zeros stops it.
+/// **The gimbal moves.** The board confirms the start. During the tuning, it reports the progress with [`AutoPid`] if
+/// [`AutoPidFlags::SEND_GUI`] is set. At the end, it sends the parameters of the tuned profile, or of all profiles,
+/// unsolicited (`CMD_READ_PARAMS_3` and the other blocks). The duration is not published. To stop, send the command
+/// with all fields zero.
 ///
-/// By the specification it is replaced by [`AutoPid2Request`](crate::commands::AutoPid2Request) in firmware 2.70; newer
-/// documents say 2.73.
+/// According to the specification, [`AutoPid2Request`](crate::commands::AutoPid2Request) replaces this command in
+/// firmware 2.70; according to newer documents, in 2.73.
 #[message(CMD_AUTO_PID, outgoing, size = 19, answer = Confirm)]
 pub struct AutoPidRequest {
-    /// The profile to tune, the first to the fifth. The board goes to it before and saves the result there.
+    /// Profile to tune, 1 to 5. The board activates the profile first and saves the result to it.
     pub profile_id: ProfileId,
-    /// Axes to tune and progress options. No axis stops the tuning.
+    /// Axes to tune and progress options; without axes, the tuning stops.
     pub cfg_flags: AutoPidFlags,
-    /// 0 for stability, 255 for precise tracking.
+    /// Goal of the tuning, from stability (0) to precise tracking (255).
     pub gain_vs_stability: u8,
-    /// 0 to find it out, 1 for a light camera and strong motors, 255 for a heavy camera and weak motors.
+    /// Weight of the camera: 1 for a light camera and strong motors, 255 for a heavy camera and weak motors, 0 to
+    /// estimate it.
     pub momentum: u8,
     /// Action to perform.
     pub action: AutoPidAction,
     pub reserved: Reserved<14>,
 }
 
-/// Progress of automatic tuning, first version.
+/// Progress of automatic PID tuning, first version.
 ///
-/// The vendor's libraries divide it differently; this is the reading of most of them, which also fits the
+/// The vendor's libraries disagree on the layout; this is the one that most of them use, and it fits the
 /// specification's table.
 #[message(CMD_AUTO_PID, incoming, size = 57)]
 pub struct AutoPid {
@@ -41,9 +42,9 @@ pub struct AutoPid {
     pub i: PerAxis<u8>,
     /// Derivative gains.
     pub d: PerAxis<u8>,
-    /// Cut-off frequencies of the low-pass filters. The specification's table has lost their type.
+    /// Cut-off frequencies of the low-pass filters. The specification's table does not give their type.
     pub lpf_freq: PerAxis<u16>,
-    /// Number of iterations so far.
+    /// Number of completed iterations.
     pub iteration_cnt: u16,
     /// Tracking error of each axis.
     #[wire(group)]
@@ -60,11 +61,11 @@ pub struct AutoPidError {
     pub reserved: Reserved<6>,
 }
 
-/// Action of automatic tuning, first version. Spec: `AUTO_PID_ACTION`.
+/// Action of automatic PID tuning, first version. Spec: `AUTO_PID_ACTION`.
 ///
-/// Only one value is known, and the specification gives it no name.
+/// Only one value is published, without a name.
 #[open_enum(u8)]
 pub enum AutoPidAction {
-    /// Tune.
+    /// Starts tuning.
     Start = 0,
 }

@@ -1,6 +1,6 @@
-//! The Bode test: an axis is driven by a test signal, and signal and response are sent back.
+//! Bode test: the board drives an axis with a test signal and reports signal and response.
 //!
-//! The specification has only the names; the payloads are those of one package of the vendor's.
+//! The specification defines only the names; the payloads are taken from a software package of the vendor.
 
 use sbgc_proto_macros::{message, open_enum, record};
 
@@ -9,70 +9,70 @@ use crate::wire::{Float, List, Reserved};
 
 /// Starts a Bode test on one axis.
 ///
-/// **The gimbal moves.** It needs motors that are on and a board that has this function. `CMD_CONFIRM` comes first,
-/// which old firmware may leave out, then [`BodeTestData`] periodically unsolicited, and
-/// [`BodeTestStartStop`] at the end, after `samples_num` times 0.8 ms. How to stop a test early is not known.
+/// **The gimbal moves.** Requires [`BoardFeatures::BODE_TEST`](crate::commands::BoardFeatures::BODE_TEST) and motors
+/// that are on. The board confirms the start, which old firmware may omit, then sends [`BodeTestData`] periodically and
+/// [`BodeTestStartStop`] at the end, after `samples_num` times 0.8 ms. How to stop a test early is unknown.
 #[message(CMD_BODE_TEST_START_STOP, outgoing, form = "start", default, size = 30, answer = Confirm)]
 pub struct BodeTestStartStopRequest {
-    /// Which axis.
+    /// Axis to test.
     pub axis: Axis,
-    /// Kind of the test signal.
+    /// Kind of test signal.
     pub stimulus_type: BodeStimulusType,
     /// Strength of the test signal.
     #[wire(range = 1..=65535)]
     pub stimulus_gain: u16,
-    /// Highest frequency, not below `start_freq`.
+    /// Maximum frequency, not below `start_freq`.
     #[wire(unit = "Hz")]
     pub end_freq: u16,
     /// Measured system.
     pub system: BodeTestSystem,
-    /// Length of the test in samples of 0.8 ms, at least 1. The vendor's package takes no less than 5000, which is 4 s.
+    /// Length of the test in samples of 0.8 ms, at least 1. The vendor's software accepts 5000 (4 s) and more.
     #[wire(range = 1..=4_294_967_295_u32)]
     pub samples_num: u32,
-    /// Kept for later, zero.
+    /// Reserved for future use; must be 0.
     #[wire(range = 0..=0)]
     pub mode: u8,
-    /// Minimum frequency. The vendor's package uses 3 Hz by default.
+    /// Minimum frequency. The vendor's software uses 3 Hz by default.
     #[wire(unit = "Hz")]
     pub start_freq: u16,
     pub reserved: Reserved<16>,
 }
 
-/// A Bode test has ended.
+/// End of a Bode test.
 #[message(CMD_BODE_TEST_START_STOP, incoming, form = "finished", default, size = 22)]
 pub struct BodeTestStartStop {
-    /// Number of samples. Some firmware reports the number of the last sample, which is one less.
+    /// Number of samples. Some firmware reports the index of the last sample instead, which is one less.
     pub samples_count: u32,
-    /// 0 for success; what others mean is not known.
+    /// Error code: 0 for success; the meaning of other values is unknown.
     pub error_code: u16,
-    /// Kept for later.
+    /// Reserved for future use.
     pub mode: u8,
     pub reserved: Reserved<15>,
 }
 
-/// Samples of a Bode test that is running.
+/// Samples of a running Bode test.
 ///
-/// They come unsolicited. Samples are raw numbers between the minimum and the maximum value that the message
-/// names; [`values`](Self::values) gives what they stand for.
+/// Sent unsolicited. Samples are raw numbers, scaled between the minimum and the maximum value in the message;
+/// [`values`](Self::values) converts them.
 #[message(CMD_BODE_TEST_DATA, incoming, size = 17..=97)]
 pub struct BodeTestData {
-    /// Number of samples before these, modulo 256.
+    /// Number of preceding samples, modulo 256.
     pub sample_counter: u8,
-    /// Input for raw 0.
+    /// Input value of raw 0.
     pub input_min: Float,
-    /// Output for raw 0.
+    /// Output value of raw 0.
     pub output_min: Float,
-    /// Input for raw 65534.
+    /// Input value of raw 65534.
     pub input_max: Float,
-    /// Output for raw 65534.
+    /// Output value of raw 65534.
     pub output_max: Float,
-    /// The samples.
+    /// Samples.
     #[wire(group)]
     pub samples: List<BodeSample, 20>,
 }
 
 impl BodeTestData {
-    /// Input and output of each sample.
+    /// Input and output value of each sample.
     pub fn values(&self) -> impl Iterator<Item = (f32, f32)> + '_ {
         let value =
             |raw: u16, min: Float, max: Float| f32::from(raw) * (max.get() - min.get()) / 65534.0 + min.get();
@@ -98,33 +98,33 @@ pub struct BodeSample {
 /// Kind of test signal. Spec: `BODE_STIMULUS_TYPE`.
 #[open_enum(u8)]
 pub enum BodeStimulusType {
-    /// All frequencies at once.
+    /// White noise: all frequencies at once.
     WhiteNoise = 1,
-    /// A sine whose frequency rises.
+    /// Sine with rising frequency.
     SineSweep = 2,
-    /// A sine whose frequency rises exponentially.
+    /// Sine with exponentially rising frequency.
     ExponentialSineSweep = 3,
 }
 
 /// System measured by a Bode test. Spec: `BODE_TEST_SYSTEM`.
 ///
-/// The numbers look like sets of bits; only these are known.
+/// The numbers appear to be sets of bits; only these are published.
 #[open_enum(u8)]
 pub enum BodeTestSystem {
-    /// The controller.
+    /// Controller.
     Controller = 3,
-    /// The plant with the notch filters, in open loop.
+    /// Plant with notch filters, open loop.
     PlantWithNotchesOpenLoop = 6,
-    /// Controller and plant, in open loop.
+    /// Controller and plant, open loop.
     ControllerAndPlantOpenLoop = 7,
-    /// The response of the whole system.
+    /// Response of the whole system.
     OverallSystemResponse = 11,
-    /// The plant, in open loop.
+    /// Plant, open loop.
     PlantOpenLoop = 70,
-    /// The plant with the notch filters, in closed loop.
+    /// Plant with notch filters, closed loop.
     PlantWithNotchesClosedLoop = 134,
-    /// Controller and plant, in closed loop.
+    /// Controller and plant, closed loop.
     ControllerAndPlantClosedLoop = 135,
-    /// The plant, in closed loop.
+    /// Plant, closed loop.
     PlantClosedLoop = 198,
 }

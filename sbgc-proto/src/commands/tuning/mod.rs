@@ -1,4 +1,4 @@
-//! Finding good parameters of control: automatic tuning of the PID loops, and tests that measure the response.
+//! Tuning of the control loops: automatic PID tuning and Bode tests.
 
 mod auto_pid;
 mod auto_pid2;

@@ -14,13 +14,15 @@
 //! # fn main() {}
 //! ```
 
-use tokio::runtime::{Builder, Runtime};
+use tokio::runtime::{Builder, Handle, Runtime};
 
 use crate::connect::ConnectOptions;
 use crate::error::Result;
 use crate::transport::Address;
 
-/// A board, for programs without async code.
+/// A board, for programs without async code. Within async code its functions panic, as tokio's do there.
+///
+/// Dropping it is the same as [`close`](Self::close).
 #[derive(Debug)]
 pub struct Gimbal {
     gimbal: crate::Gimbal,
@@ -59,7 +61,16 @@ impl Gimbal {
 
     /// Sends what is still to be sent, ends data streams, and closes the port.
     pub fn close(self) {
-        self.runtime.block_on(self.gimbal.close());
+        drop(self);
+    }
+}
+
+impl Drop for Gimbal {
+    /// With the runtime ends the task that would send what is left, such as the end of a stream or of a motion.
+    fn drop(&mut self) {
+        if Handle::try_current().is_err() {
+            self.runtime.block_on(self.gimbal.clone().close());
+        }
     }
 }
 
@@ -73,5 +84,44 @@ mod tests {
         let board = gimbal.call(|gimbal| async move { gimbal.board_info().await }).unwrap();
         assert_eq!(Some(board), gimbal.handle().found().map(|found| found.board.clone()));
         gimbal.close();
+    }
+
+    #[test]
+    fn what_is_dropped_last_leaves_the_board_clean() {
+        use std::time::Duration;
+
+        use sbgc_proto::CommandId;
+        use sbgc_proto::commands::RealtimeData4;
+
+        use crate::sim::{Board, Config, SharedBoard, serve_shared_tcp};
+
+        let elsewhere = Builder::new_multi_thread().worker_threads(1).enable_all().build().unwrap();
+        let (board, address) = elsewhere.block_on(async {
+            let listener = tokio::net::TcpListener::bind("127.0.0.1:0").await.unwrap();
+            let address = format!("tcp://{}", listener.local_addr().unwrap());
+            let board = SharedBoard::new(Board::new(Config::default()));
+            tokio::spawn(serve_shared_tcp(board.clone(), listener));
+            (board, address)
+        });
+        let gimbal = Gimbal::connect(&address).unwrap();
+        let stream = gimbal.call(|gimbal| async move {
+            gimbal.stream::<RealtimeData4>(Duration::from_millis(20)).await.unwrap()
+        });
+        drop(stream);
+        drop(gimbal);
+        let _context = elsewhere.enter();
+        // The connection has ended; what was sent before it is taken within a cycle of the board or two.
+        let ended = || {
+            board.with(|board| {
+                let registrations =
+                    board.last_commands().filter(|taken| taken.id == CommandId::DataStreamInterval);
+                registrations.last().is_some_and(|last| last.payload.get(1..3) == Some(&[0, 0]))
+            })
+        };
+        let until = std::time::Instant::now() + Duration::from_secs(5);
+        while !ended() {
+            assert!(std::time::Instant::now() < until, "the stream is still registered");
+            std::thread::yield_now();
+        }
     }
 }

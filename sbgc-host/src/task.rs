@@ -140,6 +140,20 @@ impl Link {
     ) -> Poll<io::Result<()>> {
         loop {
             let now = self.started.elapsed();
+            // What has come is looked at before the time is: after a pause of the whole program nothing times out whose
+            // answer was there in time.
+            let mut read = ReadBuf::new(input);
+            let came = match Pin::new(&mut *io).poll_read(context, &mut read) {
+                Poll::Ready(Ok(())) if read.filled().is_empty() => {
+                    Some(Err(io::ErrorKind::UnexpectedEof.into()))
+                }
+                Poll::Ready(Ok(())) => {
+                    machine.receive(now, read.filled());
+                    Some(Ok(()))
+                }
+                Poll::Ready(Err(error)) => Some(Err(error)),
+                Poll::Pending => None,
+            };
             let full = !machine.has_room();
             loop {
                 let pending = machine.pending(now);
@@ -164,12 +178,8 @@ impl Link {
                     Trouble::Replaced => "another board answers",
                 })));
             }
-            let mut read = ReadBuf::new(input);
-            if Pin::new(&mut *io).poll_read(context, &mut read)?.is_ready() {
-                if read.filled().is_empty() {
-                    return Poll::Ready(Err(io::ErrorKind::UnexpectedEof.into()));
-                }
-                machine.receive(now, read.filled());
+            if let Some(came) = came {
+                came?;
                 continue;
             }
             waker.get_or_insert_with(|| context.waker().clone()).clone_from(context.waker());

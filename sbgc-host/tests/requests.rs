@@ -22,6 +22,23 @@ async fn an_answer_comes_back() {
     assert_eq!(gimbal.counters().received.frames, 1);
 }
 
+/// A program may stand still for longer than a time-out, in a debugger or under load.
+#[tokio::test(start_paused = true)]
+async fn what_came_in_time_counts_though_it_is_looked_at_late() {
+    let (gimbal, mut board) = gimbal();
+    let request = tokio::spawn({
+        let gimbal = gimbal.clone();
+        async move { gimbal.board_info().await }
+    });
+    board.expect(BOARD_INFO).await;
+    let before = Instant::now();
+    board.send(BOARD_INFO, &board_info(2700)).await;
+    assert_eq!(before.elapsed(), MS(0));
+    tokio::time::advance(MS(5000)).await;
+    assert_eq!(request.await.unwrap().unwrap().board_ver.0, 30);
+    assert_eq!(gimbal.counters().sent_frames, 1);
+}
+
 #[tokio::test(start_paused = true)]
 async fn reads_repeat_and_fail_at_exactly_the_last_deadline() {
     let (gimbal, mut board) = gimbal();

@@ -165,12 +165,42 @@ impl World {
         self.faults = faults;
         let end = self.end;
         self.until(end, |_| false);
+        if self.dice.percent(50) {
+            self.leave();
+        }
         self.close();
         self.now
     }
 
-    /// Whoever owns the motion stops it; then nothing may be left.
-    fn close(&mut self) {
+    /// All leave while nothing gets through to the board, which must not keep it from learning of it.
+    fn leave(&mut self) {
+        self.next_fault = Duration::MAX;
+        let outage = self.now + self.dice.millis(8000);
+        if self.dice.percent(50) {
+            self.stalled_until = outage;
+        } else {
+            self.faults = 100;
+        }
+        for task in std::mem::take(&mut self.tasks) {
+            match task {
+                Task::Listens { asked, number, .. } => {
+                    self.asked[asked].gone.set(true);
+                    self.machine.leave(number);
+                }
+                Task::Waits { asked, .. } => self.asked[asked].gone.set(true),
+                Task::Idle { .. } => {}
+            }
+        }
+        self.until(outage, |_| false);
+        self.come_up();
+        // The longest pause between two attempts, and an attempt.
+        let ended = self.now + Duration::from_secs(7) + (MS(500) + self.latency * 3) * 3;
+        self.until(ended, |_| false);
+        self.check_quiet("nobody listens any more");
+    }
+
+    /// Nothing goes wrong any more, and the link is there.
+    fn come_up(&mut self) {
         (self.faults, self.next_fault) = (0, Duration::MAX);
         self.stalled_until = self.now;
         let up = self.now + Duration::from_mins(1);
@@ -178,6 +208,23 @@ impl World {
         // A board that was just reset listens again.
         let ready = self.now + Duration::from_secs(3) + self.latency * 4;
         self.until(ready, |_| false);
+    }
+
+    fn check_quiet(&mut self, since: &str) {
+        let sent = self.board.counters().sent;
+        let later = self.now + Duration::from_secs(5);
+        self.until(later, |_| false);
+        assert_eq!(self.board.counters().sent, sent, "a stream is left on the board: {since}");
+    }
+
+    /// Whoever owns the motion stops it; then nothing may be left.
+    fn close(&mut self) {
+        self.come_up();
+        // Nothing that was to move it goes out after what stops it, however far it has come.
+        self.machine.set(self.now, CONTROL, Bytes::from_static(&[1; 15])).unwrap();
+        if self.dice.percent(50) {
+            self.machine.pending(self.now);
+        }
         self.machine.send_now(self.now, CONTROL, Bytes::from_static(&[0xEE; 15])).unwrap();
         self.machine.close(self.now);
         let began = self.now;
@@ -191,10 +238,7 @@ impl World {
         let quiet = self.now + Duration::from_secs(3) + self.latency * 4;
         self.until(quiet, |_| false);
         assert_eq!(self.newest_setpoint, 0xEE, "the stop went out, and nothing that moves after it");
-        let sent = self.board.counters().sent;
-        let later = self.now + Duration::from_secs(5);
-        self.until(later, |_| false);
-        assert_eq!(self.board.counters().sent, sent, "a stream is left on the board");
+        self.check_quiet("the link was closed");
     }
 
     fn until(&mut self, end: Duration, done: impl Fn(&Self) -> bool) {

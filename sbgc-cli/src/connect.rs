@@ -2,17 +2,22 @@
 
 use std::future::poll_fn;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+use std::sync::Arc;
 use std::task::Poll;
+use std::time::Duration;
 
-use sbgc_host::capture::{Frames, tap};
-use sbgc_host::transport::{self, Address, Io, Line, PortKind, ports};
-use sbgc_host::{Gimbal, Options, VersionChoice};
+use sbgc_host::capture::{Frames, Tapping};
+use sbgc_host::connect::Wrap;
+use sbgc_host::transport::{Address, PortKind, ports};
+use sbgc_host::{ConnectOptions, Gimbal, Reconnect};
 use sbgc_proto::commands::BoardInfo;
-use sbgc_proto::frame::Version;
 
-use crate::failure::{Failure, NoBoard};
-use crate::options::{Baud, Global, Parity, Protocol};
+use crate::failure::Failure;
+use crate::options::Global;
 use crate::signals;
+
+/// How long what follows a board waits for one that was unplugged or does not answer any more.
+pub(crate) const FOLLOWED: Duration = Duration::from_secs(10);
 
 /// Opens the port, makes sure that a board responds, and does `work` with it.
 ///
@@ -21,14 +26,28 @@ pub(crate) async fn with_board<T>(
     global: &Global,
     work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
-    with_board_to_the_end(global, async |gimbal, info| {
+    with_board_until(global, Reconnect::Never, unless_stopped(work)).await
+}
+
+/// Like [`with_board`], for work that goes on when the board is there again after it was reset or unplugged.
+pub(crate) async fn with_followed_board<T>(
+    global: &Global,
+    work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    with_board_until(global, Reconnect::Within(FOLLOWED), unless_stopped(work)).await
+}
+
+/// Work that a signal ends by dropping it.
+fn unless_stopped<T>(
+    work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
+) -> impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure> {
+    async |gimbal, info| {
         tokio::select! {
             biased;
             signal = signals::stopped() => Err(Failure::Signal(signal)),
             outcome = work(gimbal, info) => outcome,
         }
-    })
-    .await
+    }
 }
 
 /// Like [`with_board`], but a signal does not end the work: it looks for [`signals::stopped`] itself.
@@ -36,10 +55,18 @@ pub(crate) async fn with_board_to_the_end<T>(
     global: &Global,
     work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
 ) -> Result<T, Failure> {
+    with_board_until(global, Reconnect::Never, work).await
+}
+
+async fn with_board_until<T>(
+    global: &Global,
+    reconnect: Reconnect,
+    work: impl AsyncFnOnce(Gimbal, BoardInfo) -> Result<T, Failure>,
+) -> Result<T, Failure> {
     let (gimbal, info) = tokio::select! {
         biased;
         signal = signals::stopped() => return Err(Failure::Signal(signal)),
-        connected = connect(global, |io| io) => connected?,
+        connected = connect(global, reconnect, None) => connected?,
     };
     let version = gimbal.version().number();
     let (board, firmware) = (info.board_ver.number(), info.firmware_ver);
@@ -65,89 +92,35 @@ async fn caught<T>(work: impl Future<Output = T>) -> std::thread::Result<T> {
     outcome
 }
 
-/// Like [`with_board`], with all frames that pass the port from its opening on.
+/// Like [`with_followed_board`], with all frames that pass the port from its opening on.
 pub(crate) async fn with_tapped_board<T>(
     global: &Global,
     work: impl AsyncFnOnce(Gimbal, &mut Frames) -> Result<T, Failure>,
 ) -> Result<(T, Frames), Failure> {
-    let mut tapped = None;
+    let (tapping, mut frames) = Tapping::new();
+    let wrap: Wrap = Arc::new(move |io| Box::new(tapping.tap(io)));
     let (gimbal, _) = tokio::select! {
         biased;
         signal = signals::stopped() => return Err(Failure::Signal(signal)),
-        connected = connect(global, |io| {
-            let (io, frames) = tap(io);
-            tapped = Some(frames);
-            Box::new(io)
-        }) => connected?,
+        connected = connect(global, Reconnect::Within(FOLLOWED), Some(wrap)) => connected?,
     };
-    let Some(mut frames) = tapped else { return Err(sbgc_host::Error::Closed.into()) };
     let outcome = work(gimbal.clone(), &mut frames).await;
     gimbal.close().await;
     Ok((outcome?, frames))
 }
 
 /// Opens the port and makes sure that a board responds. `wrap` may put something between port and driver.
-async fn connect(global: &Global, mut wrap: impl FnMut(Io) -> Io) -> Result<(Gimbal, BoardInfo), Failure> {
+async fn connect(
+    global: &Global,
+    reconnect: Reconnect,
+    wrap: Option<Wrap>,
+) -> Result<(Gimbal, BoardInfo), Failure> {
     let address = address(global)?;
-    let mut failed = None;
-    for line in lines(global, &address) {
-        tracing::info!("opening {address}");
-        let options = Options {
-            version: match global.protocol {
-                Protocol::Auto => VersionChoice::Auto,
-                Protocol::V1 => VersionChoice::Only(Version::V1),
-                Protocol::V2 => VersionChoice::Only(Version::V2),
-            },
-            timeout: global.timeout,
-            baud: address.baud(line),
-            ..Options::default()
-        };
-        let gimbal = Gimbal::spawn(wrap(address.open(line).await?), options);
-        let error = match gimbal.handshake().await {
-            Ok(info) => return Ok((gimbal, info)),
-            Err(error) => error,
-        };
-        gimbal.close().await;
-        match error {
-            source @ sbgc_host::Error::Timeout { .. } => failed = Some(source),
-            error => return Err(error.into()),
-        }
-    }
-    let source = failed.unwrap_or(sbgc_host::Error::Closed);
-    let place = match (&address, global.baud) {
-        (Address::Serial(_), Baud::Rate(baud)) => format!("{address} at {baud} baud"),
-        _ => address.to_string(),
-    };
-    let tried = match global.protocol {
-        Protocol::Auto => "versions 2 and 1",
-        Protocol::V1 => "version 1",
-        Protocol::V2 => "version 2",
-    };
-    let hint = match global.protocol {
-        Protocol::Auto => "",
-        Protocol::V1 => {
-            "A board that has seen version 2 takes nothing else until it restarts: omit --protocol. "
-        }
-        Protocol::V2 => "Firmware before 2.68 knows version 1 only: omit --protocol. ",
-    };
-    Err(Failure::NoBoard(Box::new(NoBoard { place, tried, hint, source })))
-}
-
-/// The settings of the line to try, most likely first.
-fn lines(global: &Global, address: &Address) -> Vec<Line> {
-    let serial = matches!(address, Address::Serial(_));
-    let rates = match global.baud {
-        Baud::Auto if serial => Line::BAUDS.to_vec(),
-        Baud::Auto => vec![Line::default().baud],
-        Baud::Rate(rate) => vec![rate],
-    };
-    let parities = match global.parity {
-        Parity::Auto if serial => vec![transport::Parity::None, transport::Parity::Even],
-        Parity::Even => vec![transport::Parity::Even],
-        Parity::None | Parity::Auto => vec![transport::Parity::None],
-    };
-    let of_rate = |baud: u32| parities.iter().map(move |&parity| Line { baud, parity });
-    rates.into_iter().flat_map(of_rate).collect()
+    tracing::info!("opening {address}");
+    let options = ConnectOptions { reconnect, ..global.connect_options() };
+    let gimbal = Gimbal::connect_through(&address, options, wrap).await?;
+    let info = gimbal.found().map(|found| found.board.clone());
+    Ok((gimbal, info.ok_or(sbgc_host::Error::Closed)?))
 }
 
 /// Where the board is: as given, or the only port that is likely to be one.

@@ -26,10 +26,6 @@ pub(crate) enum Failure {
     #[error("standard output: {0}")]
     Output(#[from] io::Error),
 
-    /// No board responds.
-    #[error("{0}")]
-    NoBoard(Box<NoBoard>),
-
     /// No board on any of several ports.
     #[error("{0}")]
     NotFound(String),
@@ -67,16 +63,6 @@ pub(crate) enum Failure {
     Failed(String),
 }
 
-/// Where no board responded, and what was tried there.
-#[derive(Debug, thiserror::Error)]
-#[error("no board responded on {place} (tried {tried}): {source}")]
-pub(crate) struct NoBoard {
-    pub(crate) place: String,
-    pub(crate) tried: &'static str,
-    pub(crate) hint: &'static str,
-    pub(crate) source: Error,
-}
-
 impl Failure {
     /// Prints the failure and returns the exit code.
     pub(crate) fn report(self, json: bool) -> ExitCode {
@@ -107,7 +93,7 @@ impl Failure {
             Failure::Usage(_) => "usage",
             Failure::File { .. } => "file",
             Failure::Output(_) => "output",
-            Failure::NoBoard(_) | Failure::NotFound(_) => "no_answer",
+            Failure::NotFound(_) => "no_answer",
             Failure::Host(error) => host(error).0,
             Failure::Params(error) => params(error).0,
             Failure::Capture(_) => "capture",
@@ -121,7 +107,7 @@ impl Failure {
     pub(crate) fn code(&self) -> u8 {
         match self {
             Failure::Usage(_) => 2,
-            Failure::NoBoard(_) | Failure::NotFound(_) => 3,
+            Failure::NotFound(_) => 3,
             Failure::Host(error) => host(error).1,
             Failure::Params(error) => params(error).1,
             Failure::NotConfirmed(_) => 5,
@@ -134,11 +120,22 @@ impl Failure {
     /// What a person may do about it.
     pub(crate) fn hint(&self) -> Option<String> {
         match self {
-            Failure::NoBoard(failed) => {
+            Failure::Host(Error::Silent { version, .. }) => {
                 let general =
                     "`sbgc doctor` looks for the cause; --baud sets another rate, -vv shows every frame.";
-                Some(format!("{}{general}", failed.hint))
+                let of_version = match version {
+                    Some(1) => {
+                        "A board that has seen version 2 takes nothing else until it restarts: omit --protocol. "
+                    }
+                    Some(_) => "Firmware before 2.68 knows version 1 only: omit --protocol. ",
+                    None => "",
+                };
+                Some(format!("{of_version}{general}"))
             }
+            Failure::Host(Error::OtherProtocol { .. }) => Some(
+                "The rate may be another one: --baud auto tries all. `sbgc doctor` looks for the cause."
+                    .into(),
+            ),
             Failure::Host(Error::PermissionDenied { path, group }) => permission_hint(path, group.as_deref()),
             _ => None,
         }

@@ -6,7 +6,8 @@ use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use clap_complete::engine::{ArgValueCandidates, CompletionCandidate};
-use sbgc_host::transport::{Address, ports};
+use sbgc_host::transport::{self, Address, ports};
+use sbgc_host::{ConnectOptions, Options, VersionChoice};
 use sbgc_proto::frame::Version;
 
 use crate::config_file::ConfigFile;
@@ -76,6 +77,38 @@ pub(crate) struct Global {
     pub(crate) interface: fn() -> clap::Command,
 }
 
+impl Global {
+    /// How a board is looked for. What takes a time that is typed takes it for each combination as well.
+    pub(crate) fn connect_options(&self) -> ConnectOptions {
+        let version = match self.protocol {
+            Protocol::Auto => VersionChoice::Auto,
+            Protocol::V1 => VersionChoice::Only(Version::V1),
+            Protocol::V2 => VersionChoice::Only(Version::V2),
+        };
+        let auto = self.baud == Baud::Auto || self.parity == Parity::Auto;
+        ConnectOptions {
+            baud: match self.baud {
+                Baud::Auto => None,
+                Baud::Rate(rate) => Some(rate),
+            },
+            parity: match self.parity {
+                Parity::Auto => None,
+                Parity::None => Some(transport::Parity::None),
+                Parity::Even => Some(transport::Parity::Even),
+            },
+            link: Options { version, timeout: self.timeout, ..Options::default() },
+            patience: Some(self.timeout).filter(|_| auto && !self.is_default("timeout")),
+            ..ConnectOptions::default()
+        }
+    }
+
+    /// Whether an option has its default, not a value that somebody chose.
+    pub(crate) fn is_default(&self, name: &str) -> bool {
+        let setting = self.settings.iter().find(|setting| setting.name == name);
+        setting.is_some_and(|setting| setting.source == "default")
+    }
+}
+
 /// One option, its value and where that comes from.
 #[derive(Clone, Debug)]
 pub(crate) struct Setting {
@@ -105,7 +138,7 @@ pub(crate) enum Parity {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Protocol {
-    /// Version 2, then version 1
+    /// Whichever the board speaks
     Auto,
     /// Version 1, for firmware before 2.68
     #[value(name = "1")]

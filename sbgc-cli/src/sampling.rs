@@ -17,6 +17,7 @@ use sbgc_proto::wire::Label;
 use sbgc_proto::{Direction, Message as _};
 use tokio::time::timeout;
 
+use crate::connect::FOLLOWED;
 use crate::failure::Failure;
 use crate::{text, values};
 
@@ -135,10 +136,12 @@ fn names(labels: &[Label]) -> Vec<&'static str> {
 pub(crate) struct Sampling {
     gimbal: Gimbal,
     request: StreamRequest,
-    samples: Option<Subscription>,
+    samples: Subscription,
     interpreter: Interpreter,
     silence: Duration,
     began: Instant,
+    /// Since when nothing comes.
+    quiet: Option<Instant>,
 }
 
 /// How long no sample may come before the board is asked whether it is there.
@@ -150,6 +153,8 @@ pub(crate) enum Next {
     Sample(Vec<u8>, Duration),
     /// So many samples were lost before this point.
     Lost(u64),
+    /// The stream was interrupted, or goes on.
+    Said(String),
 }
 
 impl Sampling {
@@ -167,41 +172,46 @@ impl Sampling {
         Ok(Self {
             gimbal: gimbal.clone(),
             request,
-            samples: Some(samples),
+            samples,
             interpreter,
             silence: SILENCE.max(Duration::from_millis(interval.into()) * 5),
             began: Instant::now(),
+            quiet: None,
         })
     }
 
-    /// Waits for the next sample. A board that was reset is asked for the stream again.
+    /// Waits for the next sample, also for that of a board that was reset or unplugged and comes back.
     pub(crate) async fn next(&mut self) -> Result<Next, Failure> {
         loop {
-            let samples = match &mut self.samples {
-                Some(samples) => samples,
-                none => none.insert(self.gimbal.subscribe(self.request).await?),
-            };
-            let Ok(sample) = timeout(self.silence, samples.next()).await else {
-                // A board that was reset has forgotten the stream; one that is gone does not answer.
-                self.gimbal.board_info().await?;
-                tracing::info!("no samples for {} s, asking for them again", self.silence.as_secs());
-                self.samples = None;
+            let Ok(sample) = timeout(self.silence, self.samples.next()).await else {
+                self.look_after().await?;
                 continue;
             };
-            return match sample {
-                Some(Sample::Interrupted(why)) => {
-                    tracing::info!("stream interrupted: {why}; registering it again");
-                    continue;
-                }
+            self.quiet = None;
+            return Ok(match sample {
+                Some(Sample::Interrupted(why)) => Next::Said(format!("stream interrupted: {why}")),
                 Some(Sample::Resumed(after)) => {
-                    tracing::info!("stream resumed after {} ms", after.as_millis());
-                    continue;
+                    Next::Said(format!("stream resumed after {:.1} s", after.as_secs_f64()))
                 }
-                None => Err(sbgc_host::Error::Disconnected.into()),
-                Some(Sample::Lagged(lost)) => Ok(Next::Lost(lost)),
-                Some(Sample::Payload(payload)) => Ok(Next::Sample(payload.to_vec(), self.began.elapsed())),
-            };
+                None => return Err(sbgc_host::Error::Disconnected.into()),
+                Some(Sample::Lagged(lost)) => Next::Lost(lost),
+                Some(Sample::Payload(payload)) => Next::Sample(payload.to_vec(), self.began.elapsed()),
+            });
         }
+    }
+
+    /// Nothing comes: asks whether the board is there. The driver registers the stream again once it is.
+    async fn look_after(&mut self) -> Result<(), Failure> {
+        let since = *self.quiet.get_or_insert_with(Instant::now);
+        let Err(error) = self.gimbal.board_info().await else {
+            self.quiet = None;
+            return Ok(());
+        };
+        // Where the port is gone, the driver knows when to give up.
+        if self.gimbal.is_reconnecting() || since.elapsed() < FOLLOWED {
+            return Ok(());
+        }
+        Err(error.into())
     }
 
     /// Reads the payload of a sample.

@@ -61,7 +61,7 @@ fn a_board_is_detected_on_its_port() {
     let tried = objects(&output);
     assert_eq!(keys(&tried[0]), keys_wanted);
     assert_eq!(tried[0]["found"], false);
-    let reason = "no answer at 9600 baud, parity none and even (tried versions 2 and 1)";
+    let reason = "no answer at 9600 baud, parity none and even (tried versions 1 and 2)";
     assert_eq!(tried[0]["reason"], reason);
     let output = run(&["detect", "--port", "/dev/ttyNOWHERE7", "--json"]);
     assert_eq!(output.status.code(), Some(3), "{}", stderr(&output));

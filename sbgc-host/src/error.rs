@@ -9,6 +9,8 @@ use sbgc_proto::commands::{FailureCode, FsErrorCode};
 use sbgc_proto::units::FirmwareVersion;
 use sbgc_proto::{CommandId, DecodeError, Direction, EncodeError};
 
+use crate::foreign::Foreign;
+
 /// [`std::result::Result`] with this crate's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
@@ -209,14 +211,14 @@ pub enum Error {
     /// Something comes from the port, and it is not the protocol of these boards.
     #[error(
         "what talks on {address} is not a SimpleBGC32 board{}; first bytes:{}",
-        if *.mavlink { " but MAVLink; set the port of the board to the serial API, or choose another port" } else { "" },
+        ForeignHint(*.foreign),
         Hex(.first)
     )]
     OtherProtocol {
         /// The port or the address.
         address: String,
-        /// Whether it is MAVLink.
-        mavlink: bool,
+        /// What it is, if that is recognised.
+        foreign: Option<Foreign>,
         /// The first bytes that came.
         first: Bytes,
     },
@@ -285,6 +287,7 @@ impl Error {
 /// A time as people say it.
 struct Rounded(Duration);
 struct TriedHint<'a>(&'a [(u32, bool)], Option<u8>, Duration);
+struct ForeignHint(Option<Foreign>);
 struct Hex<'a>(&'a [u8]);
 struct OnOff(bool);
 struct NameOf(Option<&'static str>);
@@ -322,6 +325,18 @@ impl std::fmt::Display for TriedHint<'_> {
             None => f.write_str("versions 1 and 2")?,
         }
         write!(f, ", in {}", Rounded(after))
+    }
+}
+
+impl std::fmt::Display for ForeignHint {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.0 {
+            Some(Foreign::Mavlink) => f.write_str(
+                " but MAVLink; set the port of the board to the serial API, or choose another port",
+            ),
+            Some(foreign) => write!(f, ", it sends {foreign}"),
+            None => Ok(()),
+        }
     }
 }
 

@@ -98,6 +98,7 @@ mod checked;
 pub mod connect;
 pub mod control;
 mod error;
+mod foreign;
 pub mod gimbal;
 pub mod machine;
 mod motion;
@@ -111,7 +112,7 @@ pub mod streams;
 mod task;
 pub mod transport;
 
-pub use connect::{ConnectOptions, detect};
+pub use connect::{ConnectOptions, Reconnect, detect};
 pub use control::{ControlSession, SessionOptions, Setpoint};
 pub use error::{Error, Result};
 pub use gimbal::{Answer, Connection, Found, Gimbal, Options, VersionChoice};

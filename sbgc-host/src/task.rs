@@ -15,7 +15,8 @@ use backon::{BackoffBuilder, ExponentialBackoff, ExponentialBuilder};
 use bytes::Bytes;
 use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt, ReadBuf};
 use tokio::sync::{Notify, oneshot, watch};
-use tokio::time::{Instant, Sleep, sleep, sleep_until, timeout};
+use tokio::time::error::Elapsed;
+use tokio::time::{Instant, Sleep, sleep, sleep_until, timeout, timeout_at};
 
 use crate::error::Result;
 use crate::machine::{Failure, LinkState, Machine, Setup, Trouble, Waiter};
@@ -29,6 +30,9 @@ const SHUTDOWN: Duration = Duration::from_secs(1);
 
 /// Clocks have an end, too; a timer is set to this far ahead at most, a day.
 const FARTHEST: Duration = Duration::from_hours(24);
+
+/// Nobody looks for a lost port longer than this, thirty years.
+const LONGEST: Duration = Duration::from_hours(30 * 365 * 24);
 
 /// Pauses between attempts to open the port again.
 const SHORTEST_PAUSE: Duration = Duration::from_millis(200);
@@ -202,20 +206,50 @@ impl Link {
         })
         .await;
     }
+
+    /// Opens the port again, with longer and longer pauses. `None` if the link is closed meanwhile, an error if the time
+    /// is over.
+    async fn open_again(
+        &self,
+        redial: &mut Redial,
+        pauses: &mut ExponentialBackoff,
+        until: Instant,
+    ) -> std::result::Result<Option<Io>, Elapsed> {
+        let tried = async {
+            loop {
+                sleep(pauses.next().unwrap_or(LONGEST_PAUSE)).await;
+                match (redial.dial)().await {
+                    Ok(io) => return Some(io),
+                    Err(error) => tracing::debug!(%error, "port still lost"),
+                }
+            }
+        };
+        tokio::select! {
+            biased;
+            () = self.closed() => Ok(None),
+            opened = timeout_at(until, tried) => opened,
+        }
+    }
 }
 
-/// Opens the port again.
+/// What opens the port again.
 pub(crate) type Dial = Box<dyn FnMut() -> Pin<Box<dyn Future<Output = Result<Io>> + Send>> + Send>;
+
+/// How a lost port is opened again, and for how long that is tried.
+pub(crate) struct Redial {
+    pub(crate) dial: Dial,
+    pub(crate) within: Duration,
+}
 
 /// The task itself.
 pub(crate) struct Task {
     link: Arc<Link>,
-    dial: Option<Dial>,
+    redial: Option<Redial>,
 }
 
 impl Task {
-    pub(crate) fn new(link: Arc<Link>, dial: Option<Dial>) -> Self {
-        Self { link, dial }
+    pub(crate) fn new(link: Arc<Link>, redial: Option<Redial>) -> Self {
+        Self { link, redial }
     }
 
     /// Serves the port until it fails for good, all handles are gone or one of them closes it.
@@ -224,6 +258,7 @@ impl Task {
         let mut input = vec![0; READ_SIZE];
         let mut timer = pin!(sleep_until(link.started));
         let mut pauses = pauses();
+        let mut give_up = None;
         loop {
             let served = poll_fn(|context| link.poll(context, &mut io, &mut input, timer.as_mut())).await;
             let Err(error) = served else { break };
@@ -232,9 +267,10 @@ impl Task {
             // A link that worked begins with short pauses again.
             if link.look(Machine::state) == LinkState::Open {
                 pauses = self::pauses();
+                give_up = None;
             }
             let went_on = link.call(|machine, now| {
-                let goes_on = self.dial.is_some() && machine.can_go_on();
+                let goes_on = self.redial.is_some() && machine.can_go_on();
                 if goes_on {
                     machine.down(now);
                 } else {
@@ -242,12 +278,15 @@ impl Task {
                 }
                 goes_on
             });
-            if !went_on {
-                return Err(error);
-            }
-            match self.redial(&mut pauses).await {
-                Some(again) => io = again,
-                None => return Ok(()),
+            let Some(redial) = self.redial.as_mut().filter(|_| went_on) else { return Err(error) };
+            let until = *give_up.get_or_insert_with(|| Instant::now() + redial.within.min(LONGEST));
+            match link.open_again(redial, &mut pauses, until).await {
+                Ok(Some(again)) => io = again,
+                Ok(None) => return Ok(()),
+                Err(_) => {
+                    link.call(Machine::lost);
+                    return Err(error);
+                }
             }
             link.call(Machine::up);
         }
@@ -256,27 +295,6 @@ impl Task {
         // Whoever waits for the end may open the port again at once.
         drop(io);
         Ok(())
-    }
-
-    /// Opens the port again, with longer and longer pauses. `None` if the link is closed meanwhile.
-    async fn redial(&mut self, pauses: &mut ExponentialBackoff) -> Option<Io> {
-        let dial = self.dial.as_mut()?;
-        loop {
-            let pause = pauses.next().unwrap_or(LONGEST_PAUSE);
-            tokio::select! {
-                biased;
-                () = self.link.closed() => return None,
-                () = sleep(pause) => {}
-            }
-            tokio::select! {
-                biased;
-                () = self.link.closed() => return None,
-                opened = dial() => match opened {
-                    Ok(io) => return Some(io),
-                    Err(error) => tracing::debug!(%error, "port still lost"),
-                },
-            }
-        }
     }
 }
 

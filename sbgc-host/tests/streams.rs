@@ -323,6 +323,28 @@ async fn the_end_of_a_stream_is_repeated_until_it_is_confirmed() {
 }
 
 #[tokio::test(start_paused = true)]
+async fn the_confirmation_of_one_end_is_not_taken_for_that_of_another() {
+    let (gimbal, mut board) = gimbal();
+    let first = subscribe(&gimbal, &mut board).await;
+    let other = StreamRequest::new(CommandId::RealtimeData3, 50);
+    let (second, _) = tokio::join!(gimbal.subscribe(other), board.confirm_stream());
+    drop(first);
+    drop(second.unwrap());
+    // The first end is lost on the way; the other waits until that is settled.
+    let lost = board.expect(STREAM).await.payload;
+    let repeated = board.confirm_stream().await;
+    assert_eq!((&lost, repeated[1]), (&repeated, 0));
+    // The confirmation of the first attempt may still come, so the next end may need another one.
+    let mut ends = Vec::new();
+    while let Ok(frame) = tokio::time::timeout(MS(20_000), board.next()).await {
+        ends.push((frame.payload[0], frame.payload[1]));
+        board.confirm(STREAM).await;
+    }
+    let other = CommandId::RealtimeData3.raw();
+    assert!(!ends.is_empty() && ends.len() <= 3 && ends.iter().all(|end| *end == (other, 0)), "{ends:?}");
+}
+
+#[tokio::test(start_paused = true)]
 async fn no_more_streams_than_a_board_has() {
     let (gimbal, mut board) = gimbal();
     let mut kept = Vec::new();

@@ -18,5 +18,5 @@ pub use hex::HexError;
 use interpret::likely_direction;
 pub use interpret::{AnyMessage, Interpreted, Interpreter};
 pub use reader::{Format, Item, ReadError, Reader};
-pub use record::{Frames, Passed, Recorder, Tap, tap};
+pub use record::{Frames, Passed, Recorder, Tap, Tapping, tap};
 pub use replay::{Replay, Step};

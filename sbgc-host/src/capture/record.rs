@@ -37,13 +37,43 @@ pub type Frames = mpsc::UnboundedReceiver<Passed>;
 ///
 /// Bytes that belong to no frame do not show. A tap that nobody reads any more costs nothing.
 pub fn tap<Io>(io: Io) -> (Tap<Io>, Frames) {
-    let (sender, receiver) = mpsc::unbounded_channel();
-    let side = |direction| Side { direction, decoder: Decoder::new(Versions::Both) };
-    let (incoming, outgoing) = (side(Direction::Incoming), side(Direction::Outgoing));
-    (Tap { io, began: Instant::now(), sender, incoming, outgoing }, receiver)
+    let (tapping, frames) = Tapping::new();
+    (tapping.tap(io), frames)
 }
 
-/// A port with a tap on it, made by [`tap`].
+/// Puts taps on one port after the other, such as one that is opened again; their frames go the same way.
+///
+/// ```
+/// use std::sync::Arc;
+///
+/// use sbgc_host::capture::Tapping;
+/// use sbgc_host::connect::Wrap;
+///
+/// let (tapping, _frames) = Tapping::new();
+/// let _wrap: Wrap = Arc::new(move |io| Box::new(tapping.tap(io)));
+/// ```
+#[derive(Clone, Debug)]
+pub struct Tapping {
+    began: Instant,
+    sender: mpsc::UnboundedSender<Passed>,
+}
+
+impl Tapping {
+    /// Times are counted from now. The frames end when it and all of its taps are dropped.
+    pub fn new() -> (Self, Frames) {
+        let (sender, frames) = mpsc::unbounded_channel();
+        (Self { began: Instant::now(), sender }, frames)
+    }
+
+    /// Puts a tap on a port.
+    pub fn tap<Io>(&self, io: Io) -> Tap<Io> {
+        let side = |direction| Side { direction, decoder: Decoder::new(Versions::Both) };
+        let (incoming, outgoing) = (side(Direction::Incoming), side(Direction::Outgoing));
+        Tap { io, began: self.began, sender: self.sender.clone(), incoming, outgoing }
+    }
+}
+
+/// A port with a tap on it, made by [`tap`] or [`Tapping`].
 #[derive(Debug)]
 pub struct Tap<Io> {
     io: Io,

@@ -2,15 +2,19 @@ use std::collections::VecDeque;
 use std::sync::{Arc, Mutex};
 
 use sbgc_proto::Message;
-use sbgc_proto::commands::{BoardInfo3, RealtimeData4};
+use sbgc_proto::commands::{BoardInfo, BoardInfo3, RealtimeData4};
 use sbgc_proto::frame::{Decoder, Event, MAX_FRAME, Versions, encode_into};
 use sbgc_proto::units::FirmwareVersion;
 use tokio::io::{AsyncReadExt, AsyncWriteExt, DuplexStream, duplex};
 use tokio::net::TcpListener;
 
+use super::search::combinations;
 use super::*;
+use crate::error::Error;
 use crate::machine::{Interruption, LinkState, Sample};
 use crate::streams::StreamRequest;
+use crate::task::{Dial, Redial};
+use crate::transport::Line;
 
 const MS: fn(u64) -> Duration = Duration::from_millis;
 
@@ -50,7 +54,7 @@ async fn what_is_no_board_is_told_apart() {
     assert!(text.contains("first bytes: 6c 6f 67"), "{text}");
     let frames: &[u8] = &[0xFE, 1, 0, 1, 1, 30, 7, 1, 2, 0xFE, 1, 1, 1, 1, 30, 7, 1, 2];
     let mavlink = found(frames).await;
-    assert!(matches!(&mavlink, Error::OtherProtocol { mavlink: true, .. }), "{mavlink}");
+    assert!(matches!(&mavlink, Error::OtherProtocol { foreign: Some(Foreign::Mavlink), .. }), "{mavlink}");
 }
 
 /// A board that answers as long as it is there, and can be taken away.
@@ -100,7 +104,7 @@ impl Board {
 }
 
 /// A link whose port leads to boards of these devices, one after the other, and what takes the present one away.
-async fn linked(devices: &[u8]) -> (Gimbal, impl Fn(), Arc<Mutex<Vec<u8>>>) {
+async fn linked(devices: &[u8], within: Duration) -> (Gimbal, impl Fn(), Arc<Mutex<Vec<u8>>>) {
     let devices = Arc::new(Mutex::new(devices.iter().copied().collect::<VecDeque<_>>()));
     let (seen, present) = (Arc::<Mutex<Vec<u8>>>::default(), Arc::new(Mutex::new(None)));
     let open = {
@@ -119,13 +123,14 @@ async fn linked(devices: &[u8]) -> (Gimbal, impl Fn(), Arc<Mutex<Vec<u8>>>) {
         let opened = open();
         Box::pin(async move { opened.map(|io| Box::new(io) as crate::transport::Io) })
     });
-    let (gimbal, connection) = Gimbal::with_dial(Box::new(first), Options::default(), Some(dial));
+    let redial = Redial { dial, within };
+    let (gimbal, connection) = Gimbal::with_dial(Box::new(first), Options::default(), Some(redial));
     connection.spawn();
     let board = gimbal.handshake().await.unwrap();
     assert_eq!(gimbal.version(), Version::V1);
     let (address, after) = (Address::Sim, Duration::ZERO);
     let found = Found { address, line: None, version: Version::V1, board, device_id: None, after };
-    gimbal.remember(found).await;
+    gimbal.settle(found, Reconnect::Always).await;
     let unplug = move || present.lock().unwrap().take().unwrap().abort();
     (gimbal, unplug, seen)
 }
@@ -133,7 +138,7 @@ async fn linked(devices: &[u8]) -> (Gimbal, impl Fn(), Arc<Mutex<Vec<u8>>>) {
 #[tokio::test(start_paused = true)]
 async fn the_same_board_is_found_again_and_its_streams_come_back() {
     // Twice there is nothing to be opened.
-    let (gimbal, unplug, _) = linked(&[1, 0, 0, 1]).await;
+    let (gimbal, unplug, _) = linked(&[1, 0, 0, 1], Duration::MAX).await;
     assert_eq!(gimbal.found().unwrap().device_id, Some([1; 9]));
     let mut state = gimbal.link_state();
     let request = StreamRequest::new(CommandId::RealtimeData4, 10_000);
@@ -157,7 +162,7 @@ async fn the_same_board_is_found_again_and_its_streams_come_back() {
 
 #[tokio::test(start_paused = true)]
 async fn another_board_on_the_same_path_is_left_alone() {
-    let (gimbal, unplug, seen) = linked(&[1, 2, 2]).await;
+    let (gimbal, unplug, seen) = linked(&[1, 2, 2], Duration::MAX).await;
     let mut state = gimbal.link_state();
     seen.lock().unwrap().clear();
     unplug();
@@ -168,11 +173,36 @@ async fn another_board_on_the_same_path_is_left_alone() {
 
 #[tokio::test(start_paused = true)]
 async fn closing_ends_the_search_for_a_lost_port() {
-    let (gimbal, unplug, _) = linked(&[1]).await;
+    let (gimbal, unplug, _) = linked(&[1], Duration::MAX).await;
     let mut state = gimbal.link_state();
     unplug();
     state.wait_for(|state| *state == LinkState::Reconnecting).await.unwrap();
     tokio::time::sleep(MS(20_000)).await;
     gimbal.close().await;
     assert_eq!(*state.borrow(), LinkState::Closed);
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_lost_port_is_looked_for_as_long_as_asked() {
+    let (gimbal, unplug, _) = linked(&[1], MS(10_000)).await;
+    let mut state = gimbal.link_state();
+    let mut samples = gimbal.listen(CommandId::GetAngles);
+    let began = tokio::time::Instant::now();
+    unplug();
+    state.wait_for(|state| *state == LinkState::Lost).await.unwrap();
+    assert!((MS(10_000)..MS(10_100)).contains(&began.elapsed()), "{:?}", began.elapsed());
+    assert_eq!(samples.next().await, None);
+    assert!(matches!(gimbal.angles().await, Err(Error::Disconnected)));
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_time_to_look_for_a_port_begins_anew_once_it_was_found() {
+    let (gimbal, unplug, _) = linked(&[1, 0, 0, 1, 0, 0, 1], MS(5000)).await;
+    let mut state = gimbal.link_state();
+    for _ in 0..2 {
+        unplug();
+        state.wait_for(|state| *state == LinkState::Reconnecting).await.unwrap();
+        state.wait_for(|state| *state == LinkState::Open).await.unwrap();
+    }
+    gimbal.board_info().await.unwrap();
 }

@@ -19,7 +19,8 @@ pub struct Found {
     pub version: Version,
     /// What the board reports of itself.
     pub board: BoardInfo,
-    /// The id of the device, where the firmware reports one.
+    /// The id of the device, where the firmware reports one; `None` if a lost port is not opened again, since nobody
+    /// asks for it then.
     pub device_id: Option<[u8; 9]>,
     /// How long it took to find it.
     pub after: Duration,

@@ -59,7 +59,7 @@ impl Gimbal {
         }
     }
 
-    fn set_version(&self, version: Version) {
+    pub(crate) fn set_version(&self, version: Version) {
         self.link().call(|machine, _| machine.set_version(version));
     }
 }

@@ -37,7 +37,7 @@ pub use options::{Options, VersionChoice};
 
 use crate::error::{Error, Result};
 use crate::machine::{Call, Failure, LinkCounters, LinkState, MAX_STREAMS, Machine, Priority};
-use crate::task::{Dial, Link, Task};
+use crate::task::{Link, Redial, Task};
 use crate::transport::Io;
 
 /// A board at the other end of a link.
@@ -116,10 +116,10 @@ impl Gimbal {
         Self::with_dial(Box::new(io), options, None)
     }
 
-    /// Like [`new`](Self::new); a port that is lost is opened again by `dial`, once it is known who the board is.
-    pub(crate) fn with_dial(io: Io, options: Options, dial: Option<Dial>) -> (Self, Connection) {
+    /// Like [`new`](Self::new); a port that is lost is opened again by `redial`, once it is known who the board is.
+    pub(crate) fn with_dial(io: Io, options: Options, redial: Option<Redial>) -> (Self, Connection) {
         let link = Arc::new(Link::new(options.setup()));
-        let task = Task::new(Arc::clone(&link), dial);
+        let task = Task::new(Arc::clone(&link), redial);
         let handle = Arc::new(Handle { link, turn: tokio::sync::Mutex::default(), found: OnceLock::new() });
         (Self { handle, options }, Connection(Box::pin(task.run(io))))
     }

@@ -65,7 +65,7 @@ pub use samples::Shape;
 use load::Load;
 use outbox::{Batch, Kind, Setpoints};
 use pacer::Pacer;
-use registrations::{Registrations, Told};
+use registrations::{Registrations, StreamChange, Told};
 use session::{Session, Verdict};
 
 /// How many commands that nobody waits for may wait to be sent.
@@ -573,10 +573,15 @@ impl<W: Waiter> Machine<W> {
             return;
         }
         self.registrations.check(now, self.session.latency());
-        while let Some((number, payload, stop)) = self.registrations.next_request(now) {
+        while let Some(StreamChange { number, payload, stop, overtakes }) =
+            self.registrations.next_request(now)
+        {
             let command = CommandId::DataStreamInterval.raw();
             let (timeout, attempts) = (self.setup.timeout, self.setup.attempts.max(1));
-            let priority = if stop { Priority::Ordered } else { Priority::Serial };
+            // Confirmations of two of them have the same bytes, so each waits for the other. What takes a start back
+            // follows that at once, and at the end there is no time to wait.
+            let hurried = overtakes || (stop && self.is_ending());
+            let priority = if hurried { Priority::Ordered } else { Priority::Serial };
             // Asking twice for a stream updates it, so this may be repeated.
             let call = Call {
                 command,

@@ -145,6 +145,18 @@ impl<W> Default for Registrations<W> {
     }
 }
 
+/// A request to the board to start or end a stream.
+#[derive(Debug)]
+pub(super) struct StreamChange {
+    /// Number of the registration.
+    pub(super) number: u64,
+    pub(super) payload: Bytes,
+    /// Whether it ends the stream.
+    pub(super) stop: bool,
+    /// Whether it ends a stream whose start is not confirmed yet.
+    pub(super) overtakes: bool,
+}
+
 /// Who is to be told what.
 pub(super) type Told<W> = Vec<(W, Result<Bytes, Failure>)>;
 
@@ -317,9 +329,8 @@ impl<W> Registrations<W> {
         self.list.is_empty()
     }
 
-    /// The next request to the board: number of the registration, payload, whether it may follow at once what was
-    /// sent before it. Call it until there is none.
-    pub(super) fn next_request(&mut self, now: Duration) -> Option<(u64, Bytes, bool)> {
+    /// The next request to the board. Call it until there is none.
+    pub(super) fn next_request(&mut self, now: Duration) -> Option<StreamChange> {
         self.list.retain(|registration| {
             let idle = registration.asked == Asked::Nothing && registration.on_board == OnBoard::Absent;
             !(idle && registration.users.is_empty())
@@ -341,9 +352,11 @@ impl<W> Registrations<W> {
                 }
                 _ => return None,
             };
+            let overtakes = registration.asked == Asked::Start;
             registration.asked = if stop { Asked::Stop } else { Asked::Start };
             let interval_ms = if stop { 0 } else { registration.call.interval_ms };
-            Some((registration.number, request(&registration.call, interval_ms), stop))
+            let (number, payload) = (registration.number, request(&registration.call, interval_ms));
+            Some(StreamChange { number, payload, stop, overtakes })
         })
     }
 

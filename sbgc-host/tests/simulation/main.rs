@@ -24,6 +24,8 @@ const SEEDS: &[u64] = &[
     16_609_650_819_498_500_234,
     4_298_068_003_580_507_646,
     3_381_114_333_875_050_752,
+    // The end of one stream is lost, and the confirmation of another's end is taken for its own.
+    16_903_278_981_020_786_366,
 ];
 
 fn run(seed: u64) -> Duration {

@@ -1,13 +1,17 @@
 //! `sbgc detect`: which ports have a board, and how it is reached.
 
+use std::ops::ControlFlow;
+
 use clap::Args;
-use sbgc_host::Error;
+use sbgc_host::connect::survey;
+use sbgc_host::gimbal::Found;
 use sbgc_host::transport::{Address, Line, Parity, ports};
+use sbgc_host::{ConnectOptions, Error};
 use serde_json::json;
 use tokio::sync::mpsc::{self, UnboundedSender};
 use tokio::task::JoinSet;
 
-use super::probe::{Found, Scope, parity_name};
+use super::probe::{parity_name, scope, versions};
 use crate::failure::Failure;
 use crate::options::Global;
 use crate::output::Output;
@@ -48,11 +52,11 @@ impl Detect {
             }
             None => ports().into_iter().map(|port| Address::Serial(port.name)).collect::<Vec<_>>(),
         };
-        let scope = Scope::of(global);
+        let scope = scope(global);
         let (report, mut reports) = mpsc::unbounded_channel();
         let mut all = JoinSet::new();
         for address in addresses {
-            all.spawn(try_port(address, scope.clone(), report.clone()));
+            all.spawn(try_port(address, scope, report.clone()));
         }
         drop(report);
         let mut found = false;
@@ -78,29 +82,30 @@ impl Detect {
 }
 
 /// Tries all combinations of a port and reports those that are answered, or why none is.
-async fn try_port(address: Address, scope: Scope, report: UnboundedSender<Tried>) {
+async fn try_port(address: Address, scope: ConnectOptions, report: UnboundedSender<Tried>) {
     let say = |outcome| {
         // Nobody listens any more once the program is to stop.
         let _ = report.send(Tried { port: address.to_string(), outcome });
     };
     let mut silence = Silence::default();
     let mut answered = false;
-    for line in scope.lines(&address) {
-        match scope.probe(&address, line).await {
+    survey(&address, scope, |tried| {
+        let hopeless = tried.is_hopeless();
+        match tried.outcome {
             Ok(found) => {
                 say(Outcome::Answered(Box::new(found), !answered));
                 answered = true;
             }
-            Err((Error::Timeout { .. }, counters)) => silence.note(line, counters.received.skipped()),
             // It cannot be opened, so other rates are of no help.
-            Err((error, _)) => {
-                if !answered {
-                    say(Outcome::Nothing(error.to_string()));
-                }
-                return;
+            Err(error) if hopeless && !answered => {
+                say(Outcome::Nothing(error.to_string()));
+                answered = true;
             }
+            Err(_) => silence.note(tried.line.unwrap_or_default(), tried.counters.received.skipped()),
         }
-    }
+        ControlFlow::Continue(())
+    })
+    .await;
     if !answered {
         say(Outcome::Nothing(silence.reason(&address, &scope)));
     }
@@ -122,8 +127,8 @@ impl Silence {
         }
     }
 
-    fn reason(&self, address: &Address, scope: &Scope) -> String {
-        let tried = scope.versions();
+    fn reason(&self, address: &Address, scope: &ConnectOptions) -> String {
+        let tried = versions(scope);
         let mut reasons = Vec::new();
         if !self.noise.is_empty() {
             reasons.push(format!("received {}", self.noise.join("; ")));
@@ -173,7 +178,7 @@ impl Tried {
                     "parity": found.line.map(|line| parity_name(line.parity)),
                     "protocol": found.version.number(),
                     "found": true,
-                    "firmware": found.info.firmware_ver.to_string(),
+                    "firmware": found.board.firmware_ver.to_string(),
                     "reason": null,
                 }),
                 Outcome::Nothing(reason) => json!({
@@ -189,7 +194,7 @@ impl Tried {
                 let line = found.line.map_or_else(String::new, |line| format!(" at {}", line_text(line)));
                 let version = found.version.number();
                 if *first {
-                    let (board, firmware) = (found.info.board_ver.number(), found.info.firmware_ver);
+                    let (board, firmware) = (found.board.board_ver.number(), found.board.firmware_ver);
                     format!("{port}: board {board:.1}, firmware {firmware}{line}, protocol version {version}")
                 } else {
                     format!("{port}: also{line}, protocol version {version}")

@@ -1,15 +1,19 @@
 //! `sbgc doctor`: why nothing works, and what to do about it.
 
+use std::ops::ControlFlow;
+
 use clap::Args;
+use sbgc_host::connect::{Foreign, recognise, survey};
+use sbgc_host::gimbal::Found;
 use sbgc_host::transport::{Address, Line, ports};
-use sbgc_host::{Error, Gimbal, Options};
+use sbgc_host::{ConnectOptions, Error, Gimbal, Reconnect};
 use sbgc_proto::commands::{RealtimeData3, RealtimeData3Request};
 use sbgc_proto::frame::Version;
 use sbgc_proto::reflect::{self, Leaf};
 use serde_json::json;
 
 use super::ports::is_likely;
-use super::probe::{Found, Scope, listen, parity_name};
+use super::probe::{listen, parity_name, scope};
 use crate::failure::{Failure, permission_hint};
 use crate::options::{Baud, Global};
 use crate::output::Output;
@@ -149,26 +153,31 @@ impl Doctor {
 async fn examine(global: &Global, findings: &mut Findings<'_>) -> Result<(), Failure> {
     let Some(address) = choose(global, findings)? else { return Ok(()) };
     findings.port = Some(address.to_string());
-    let scope = Scope::of(global);
-    let lines = scope.lines(&address);
-    let first = lines.first().copied().unwrap_or_default();
-    let mut heard = 0;
-    for (index, line) in lines.into_iter().enumerate() {
-        match scope.probe(&address, line).await {
+    let mut tried = Vec::new();
+    survey(&address, scope(global), |report| {
+        let ends = report.outcome.is_ok();
+        tried.push(report);
+        if ends { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })
+    .await;
+    let line = tried.first().and_then(|first| first.line).unwrap_or_default();
+    let (mut heard, mut foreign) = (0, None);
+    for (index, report) in tried.into_iter().enumerate() {
+        let skipped = report.counters.received.skipped();
+        let hopeless = report.is_hopeless();
+        foreign = foreign.or(report.foreign());
+        match report.outcome {
             Ok(found) => {
                 rate(global, findings, &found)?;
-                return board(&address, &found, findings).await;
+                return board(global, &address, &found, skipped, findings).await;
             }
-            Err((Error::Timeout { .. }, counters)) => {
-                if index == 0 {
-                    findings.ok("port", format!("{address} can be opened"))?;
-                }
-                heard += counters.received.skipped();
-            }
-            Err((error, _)) => return cannot_open(&error, findings),
+            Err(error) if hopeless => return cannot_open(&error, findings),
+            Err(_) if index == 0 => findings.ok("port", format!("{address} can be opened"))?,
+            Err(_) => {}
         }
+        heard += skipped;
     }
-    silence(&address, first, heard, findings).await
+    silence(&address, line, heard, foreign, findings).await
 }
 
 /// The port to look at; says so when there is none.
@@ -233,7 +242,7 @@ fn cannot_open(error: &Error, findings: &mut Findings<'_>) -> Result<(), Failure
 
 /// Whether the board responds with the settings in use.
 fn rate(global: &Global, findings: &mut Findings<'_>, found: &Found) -> Result<(), Failure> {
-    let (board, firmware) = (found.info.board_ver.number(), found.info.firmware_ver);
+    let (board, firmware) = (found.board.board_ver.number(), found.board.firmware_ver);
     let version = found.version.number();
     let answers = format!("board {board}, firmware {firmware} responds in protocol version {version}");
     let Some(line) = found.line else { return findings.ok("board", answers) };
@@ -254,10 +263,11 @@ async fn silence(
     address: &Address,
     line: Line,
     heard: u64,
+    foreign: Option<Foreign>,
     findings: &mut Findings<'_>,
 ) -> Result<(), Failure> {
     let bytes = listen(address, line).await;
-    if let Some(name) = other_protocol(&bytes) {
+    if let Some(name) = foreign.or_else(|| recognise(&bytes)) {
         return findings.error(
             "protocol",
             format!("{address} sends {name}, not the SimpleBGC protocol"),
@@ -283,37 +293,14 @@ async fn silence(
     )
 }
 
-/// A protocol that is known by how it looks.
-fn other_protocol(bytes: &[u8]) -> Option<&'static str> {
-    let printable = bytes.iter().filter(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace()).count();
-    if bytes.len() >= 6 && bytes.windows(3).any(|bytes| matches!(bytes, b"$GP" | b"$GN" | b"$GL")) {
-        Some("NMEA position data")
-    } else if bytes.len() >= 16 && printable * 20 >= bytes.len() * 19 {
-        Some("text, as a console does")
-    } else if bytes.len() >= 16 && is_mavlink(bytes) {
-        Some("MAVLink")
-    } else {
-        None
-    }
-}
-
-/// Whether frames of MAVLink follow each other.
-fn is_mavlink(bytes: &[u8]) -> bool {
-    let overhead = |start: u8| match start {
-        0xFE => Some(8),
-        0xFD => Some(12),
-        _ => None,
-    };
-    (0..bytes.len()).any(|at| {
-        let rest = bytes.get(at..).unwrap_or_default();
-        let &[start, length, ..] = rest else { return false };
-        let next = overhead(start).and_then(|overhead| rest.get(overhead + usize::from(length)));
-        next == Some(&start)
-    })
-}
-
 /// What the board itself has to say.
-async fn board(address: &Address, found: &Found, findings: &mut Findings<'_>) -> Result<(), Failure> {
+async fn board(
+    global: &Global,
+    address: &Address,
+    found: &Found,
+    skipped: u64,
+    findings: &mut Findings<'_>,
+) -> Result<(), Failure> {
     if found.version == Version::V1 {
         findings.warning(
             "version",
@@ -321,7 +308,6 @@ async fn board(address: &Address, found: &Found, findings: &mut Findings<'_>) ->
             "Firmware 2.68 and later knows version 2.",
         )?;
     }
-    let skipped = found.counters.received.skipped();
     if skipped > 0 {
         findings.warning(
             "link",
@@ -329,18 +315,16 @@ async fn board(address: &Address, found: &Found, findings: &mut Findings<'_>) ->
             "Check cable, ground and rate; data that others had subscribed to looks like this, too.",
         )?;
     }
-    let line = found.line.unwrap_or_default();
-    let options = Options { baud: address.baud(line), ..Options::default() };
-    let io = match address.open(line).await {
-        Ok(io) => io,
-        Err(error) => return cannot_open(&error, findings),
-    };
-    let gimbal = Gimbal::spawn(io, options);
-    let state = match gimbal.handshake().await {
-        Ok(_) => gimbal.request(&RealtimeData3Request {}).await,
+    let (baud, parity) = (found.line.map(|line| line.baud), found.line.map(|line| line.parity));
+    let options = ConnectOptions { baud, parity, reconnect: Reconnect::Never, ..global.connect_options() };
+    let state = match Gimbal::connect_with(address, options).await {
+        Ok(gimbal) => {
+            let state = gimbal.request(&RealtimeData3Request {}).await;
+            gimbal.close().await;
+            state
+        }
         Err(error) => Err(error),
     };
-    gimbal.close().await;
     match state {
         Ok(state) => condition(&state, findings),
         Err(error) => findings.error(
@@ -397,21 +381,4 @@ fn condition(state: &RealtimeData3, findings: &mut Findings<'_>) -> Result<(), F
         )?;
     }
     Ok(())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn other_protocols_are_recognised() {
-        let nmea = b"$GPGGA,092750.000,5321.6802,N,00630.3372,W,1,8,1.03,61.7,M,55.2,M,,*76\r\n";
-        assert_eq!(other_protocol(nmea), Some("NMEA position data"));
-        assert_eq!(other_protocol(b"\r\nraspberrypi login: "), Some("text, as a console does"));
-        let heartbeat = [0xFE, 9, 1, 1, 1, 0, 0, 0, 0, 0, 6, 8, 0, 0, 3, 0x77, 0x88];
-        assert_eq!(other_protocol(&heartbeat.repeat(3)), Some("MAVLink"));
-        assert_eq!(other_protocol(&[]), None);
-        let garbage: Vec<u8> = (0..200_u8).map(|byte| byte.wrapping_mul(73) | 0x80).collect();
-        assert_eq!(other_protocol(&garbage), None);
-    }
 }

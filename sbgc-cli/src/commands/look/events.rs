@@ -10,7 +10,7 @@ use sbgc_proto::commands::{EventId, EventTypes, StreamSource};
 use sbgc_proto::{CommandId, Direction};
 use tokio::time::timeout;
 
-use crate::connect::with_board;
+use crate::connect::with_followed_board;
 use crate::failure::{Failure, until_stopped};
 use crate::options::Global;
 use crate::output::Output;
@@ -61,7 +61,7 @@ impl Events {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
         let limit = self.time.unwrap_or(Duration::MAX);
         until_stopped(
-            with_board(global, async |gimbal, _| {
+            with_followed_board(global, async |gimbal, _| {
                 timeout(limit, self.show(&gimbal, output)).await.unwrap_or(Ok(()))
             })
             .await,

@@ -6,7 +6,7 @@ use clap::Args;
 use sbgc_host::Gimbal;
 use tokio::time::timeout;
 
-use crate::connect::with_board;
+use crate::connect::with_followed_board;
 use crate::failure::{Failure, until_stopped};
 use crate::options::Global;
 use crate::output::Output;
@@ -21,7 +21,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Show live data
 ///
-/// Runs until interrupted, the output is closed, or --count or --for is reached; then stops the stream. timestamp_ms
+/// Runs until interrupted, the output is closed, or --count or --for is reached; then stops the stream. Goes on with a
+/// board that was reset, or unplugged for less than 10 seconds. timestamp_ms
 /// comes first: the board's own time, or the time since the start where a message has none.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
@@ -54,7 +55,7 @@ impl Stream {
         self.selection.source()?;
         let limit = self.time.unwrap_or(Duration::MAX);
         until_stopped(
-            with_board(global, async |gimbal, _| {
+            with_followed_board(global, async |gimbal, _| {
                 timeout(limit, self.show(&gimbal, output)).await.unwrap_or(Ok(()))
             })
             .await,
@@ -69,6 +70,8 @@ impl Stream {
         while left > 0 {
             match sampling.next().await? {
                 Next::Lost(lost) => talk::say(format_args!("{lost} samples lost")),
+                Next::Said(what) if output.is_json() => tracing::info!("{what}"),
+                Next::Said(what) => talk::say(what),
                 Next::Sample(payload, time) => {
                     left -= 1;
                     printer.print(output, &sampling.read(&payload)?, time)?;

@@ -10,7 +10,7 @@ use sbgc_proto::commands::{FsErrorCode, RunScript, RunScriptMode, ScriptDebug, W
 use serde_json::json;
 
 use super::file;
-use crate::connect::with_board;
+use crate::connect::{with_board, with_followed_board};
 use crate::failure::{Failure, until_stopped};
 use crate::options::Global;
 use crate::output::Output;
@@ -174,7 +174,7 @@ async fn delete(global: &Global, output: &mut Output, slot: u8) -> Result<(), Fa
 }
 
 async fn trace(global: &Global, output: &mut Output, slot: Option<u8>) -> Result<(), Failure> {
-    with_board(global, async |gimbal, _| {
+    with_followed_board(global, async |gimbal, _| {
         let mut steps = gimbal.script_trace();
         if let Some(slot) = slot {
             if global.dry_run {

@@ -6,7 +6,7 @@ use serde_json::json;
 use tokio::net::TcpListener;
 
 use super::sim::host_and_port;
-use crate::connect::with_board;
+use crate::connect::with_followed_board;
 use crate::failure::{Failure, until_stopped};
 use crate::options::Global;
 use crate::output::Output;
@@ -47,7 +47,7 @@ impl Proxy {
         }
         let options = ProxyOptions { read_only: self.read_only, clients: self.max_clients.into() };
         until_stopped(
-            with_board(global, async |gimbal, _| {
+            with_followed_board(global, async |gimbal, _| {
                 let place = format!("tcp://{bound}");
                 if output.is_json() {
                     output.object(&json!({"port": place}))?;

@@ -87,8 +87,10 @@ impl Record {
             let mut sampling = sampling.await?;
             let mut left = self.count.unwrap_or(u64::MAX);
             while left > 0 {
-                if let Next::Sample(..) = sampling.next().await? {
-                    left -= 1;
+                match sampling.next().await? {
+                    Next::Sample(..) => left -= 1,
+                    Next::Said(what) => tracing::info!("{what}"),
+                    Next::Lost(_) => {}
                 }
             }
             Ok::<_, Failure>(())

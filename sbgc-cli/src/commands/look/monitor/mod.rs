@@ -18,7 +18,7 @@ use sbgc_proto::commands::{BoardInfo, RealtimeData3, StreamSource};
 use tokio::sync::mpsc;
 use tokio::time::{MissedTickBehavior, interval};
 
-use crate::connect::{address, with_board};
+use crate::connect::{address, with_followed_board};
 use crate::failure::{Failure, until_stopped};
 use crate::options::Global;
 use crate::sampling::{Next, Sampling};
@@ -71,7 +71,9 @@ impl Monitor {
                 "monitor needs a terminal; use `sbgc stream` for pipes",
             )));
         }
-        until_stopped(with_board(global, async |gimbal, info| self.watch(global, &gimbal, &info).await).await)
+        until_stopped(
+            with_followed_board(global, async |gimbal, info| self.watch(global, &gimbal, &info).await).await,
+        )
     }
 
     async fn watch(&self, global: &Global, gimbal: &Gimbal, info: &BoardInfo) -> Result<(), Failure> {
@@ -109,6 +111,7 @@ impl Monitor {
                         Err(error) => break Err(sbgc_host::Error::from(error).into()),
                     },
                     Ok(Next::Lost(lost)) => view.lose(lost),
+                    Ok(Next::Said(what)) => tracing::info!("{what}"),
                     Err(failure) => break Err(failure),
                 },
             }

@@ -139,6 +139,15 @@ fn each_end_stops_the_motion_and_restores_the_terminal() {
     terminal.wait_for("speed 20 deg/s");
     terminal.press(b"\x03");
     terminal.ends(0);
+    // A program that is killed leaves its terminal as it was, but not the axes.
+    let mut terminal = Terminal::start(&["--port", board.port(), "control", "jog", "--speed", "40"]);
+    terminal.wait_for("speed 40 deg/s");
+    terminal.hold(RIGHT, Duration::from_millis(400));
+    board.wait_for_yaw(30.0);
+    terminal.child.kill().unwrap();
+    let killed = board.now();
+    let rest = board.wait_for_rest();
+    assert!(rest < killed + Duration::from_millis(1600), "{:?}", rest.saturating_sub(killed));
 }
 
 #[test]

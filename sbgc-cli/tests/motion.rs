@@ -67,17 +67,43 @@ fn a_closed_pipe_stops_the_motion() {
 }
 
 #[test]
+#[cfg(debug_assertions)]
+fn a_panic_stops_the_motion() {
+    let board = Watched::start();
+    for arguments in [
+        &["control", "speed", "--yaw", "40"][..],
+        &["control", "angle", "--yaw", "-700", "--speed", "40", "--wait"],
+    ] {
+        let mut command = sbgc();
+        command.args(["--port", board.port()]).args(arguments).env("SBGC_TEST_PANIC", "1");
+        let output = command.stdin(Stdio::null()).output().unwrap();
+        let ended = board.now();
+        assert_eq!(output.status.code(), Some(101), "{}", stderr(&output));
+        assert!(stderr(&output).contains("panicked"), "{}", stderr(&output));
+        let rest = board.wait_for_rest();
+        assert!(rest > Duration::ZERO && rest < ended + Duration::from_millis(500), "{rest:?}, {ended:?}");
+    }
+}
+
+#[test]
 fn a_killed_program_is_stopped_by_the_board() {
     let board = Watched::start();
-    let mut child = start(&["--port", board.port(), "control", "speed", "--yaw", "-40"]);
-    board.wait_for_yaw(38.0);
-    child.kill().unwrap();
-    child.wait().unwrap();
-    let ended = board.now();
-    let rest = board.wait_for_rest();
-    let after = rest.saturating_sub(ended);
-    let expected = Duration::from_millis(700)..Duration::from_millis(1600);
-    assert!(expected.contains(&after), "{after:?}");
+    for arguments in [
+        &["control", "speed", "--yaw", "-40"][..],
+        &["control", "rc", "--yaw", "500"],
+        &["control", "angle", "--yaw", "700", "--speed", "40", "--wait"],
+        &["control", "speed-angle", "--yaw", "-700", "--speed", "40", "--wait"],
+    ] {
+        let mut child = start(&[&["--port", board.port()], arguments].concat());
+        board.wait_for_yaw(35.0);
+        child.kill().unwrap();
+        child.wait().unwrap();
+        let ended = board.now();
+        let rest = board.wait_for_rest();
+        let after = rest.saturating_sub(ended);
+        let expected = Duration::from_millis(700)..Duration::from_millis(1600);
+        assert!(expected.contains(&after), "{arguments:?}: {after:?}");
+    }
     // What the killed one left armed does not end a move that is left to the board.
     let output = run(&["--port", board.port(), "control", "angle", "--pitch", "50", "--speed", "25"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));

@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-use common::{Board, sbgc, stderr, stdout};
+use common::{Board, Served, sbgc, stderr, stdout};
 use serde_json::Value;
 
 /// A board, and the program with a state directory of its own.
@@ -611,4 +611,65 @@ fn an_interrupted_restore_is_completed_by_the_next() {
     let paths: Vec<_> = left.iter().map(|object| object["path"].as_str().unwrap()).collect();
     assert_eq!(paths, ["auto_speed", "motor_startup_delay"]);
     assert!(bench.objects(&["params", "diff", file]).is_empty());
+}
+
+/// Runs a restore of 20 values in 20 blocks at a board that is unplugged after this time. Returns what it said and its
+/// exit code.
+fn unplugged(after: f64, file: &str, home: &Path) -> (Served, Output) {
+    let fault = format!("unplug={after}s/4s");
+    // Each answer takes a while, so that writing does, too.
+    let board = Served::start(&["--pty", "--fault", "delay=30ms", "--fault", &fault]);
+    let mut command = sbgc();
+    command.env("XDG_STATE_HOME", home);
+    command.args(["--port", board.port(), "--timeout", "150ms", "params", "restore", file, "--yes"]);
+    let output = command.output().unwrap();
+    (board, output)
+}
+
+#[test]
+fn a_board_that_is_unplugged_half_way_is_restored_by_the_next_run() {
+    let home = tempfile::tempdir().unwrap();
+    let path = home.path().join("all.toml");
+    let file = path.to_str().unwrap();
+    assert!(common::run(&["--port", "sim", "params", "dump", file, "--profile", "all"]).status.success());
+    let mut text = fs::read_to_string(&path).unwrap();
+    for (name, value) in
+        [("gyro_trust", "11"), ("beeper_volume", "12"), ("auto_speed", "13"), ("motor_startup_delay", "14")]
+    {
+        let line = text.lines().find(|line| line.starts_with(&format!("{name} = "))).unwrap().to_owned();
+        text = text.replace(&line, &format!("{name} = {value}"));
+    }
+    fs::write(&path, text).unwrap();
+
+    // How far it gets in a time depends on the machine, so the time is looked for.
+    let mut after = 4.5;
+    for _ in 0..12 {
+        let (board, output) = unplugged(after, file, home.path());
+        let talk = stderr(&output);
+        if output.status.success() {
+            after -= 0.5;
+            continue;
+        }
+        let Some((_, outcome)) = talk.split_once("written: ") else {
+            after += 0.7;
+            continue;
+        };
+        let Some((written, left)) = outcome.split_once("not written: ") else { panic!("{talk}") };
+        assert_eq!(output.status.code(), Some(3), "{talk}");
+        assert!(left.contains("; run the same command again to complete it"), "{talk}");
+        let (written, left) = (written.matches("CMD_").count(), left.matches(" of profile ").count());
+        assert!(written > 0 && left > 0 && written + left == 20, "{talk}");
+        // Until it is plugged in again.
+        while !board.run(&["--timeout", "150ms", "info"]).status.success() {}
+        let mut command = sbgc();
+        command.env("XDG_STATE_HOME", home.path());
+        let again = command.args(["--port", board.port(), "--json", "params", "restore", file, "--yes"]);
+        let restored = common::objects(&again.output().unwrap());
+        // Of the block on the way nobody knows whether it has arrived.
+        assert!(restored.len() == left || restored.len() + 1 == left, "{} of {left}: {talk}", restored.len());
+        let differences = common::objects(&board.run(&["params", "diff", file, "--json"]));
+        assert!(differences.is_empty(), "{differences:?}");
+        return;
+    }
+    panic!("it was never interrupted while it wrote");
 }

@@ -64,6 +64,8 @@ async fn watch(gimbal: &Gimbal, output: &Output) -> Failure {
     let mut silent = 0;
     loop {
         tokio::time::sleep(WATCH).await;
+        // Tests have a debug build panic here.
+        debug_assert!(std::env::var_os("SBGC_TEST_PANIC").is_none(), "SBGC_TEST_PANIC is set");
         if output.is_abandoned() {
             return Failure::Output(io::ErrorKind::BrokenPipe.into());
         }

@@ -7,7 +7,7 @@ use sbgc_proto::commands::{
     SaveParams3, SaveParams3Extended, SetAdjVarsVal, SetAdjVarsValF, VariableType, VariableValue,
     VariableValueF,
 };
-use sbgc_proto::wire::{Float, List};
+use sbgc_proto::wire::{Float, List, Packed};
 use sbgc_proto::{EncodeError, Message};
 
 use super::block::has;
@@ -328,7 +328,7 @@ impl Parameters {
         if firmware < since {
             return Err(ParamsError::Firmware { what: "saving some variables only", since, firmware });
         }
-        Ok(SaveParams3Extended { adj_var_id: list(ids)? })
+        Ok(SaveParams3Extended { adj_var_id: packed(ids)? })
     }
 }
 
@@ -339,6 +339,12 @@ pub enum VariableCommand {
     Integers(SetAdjVarsVal),
     /// With floats. Firmware 2.73.4+.
     Floats(SetAdjVarsValF),
+}
+
+fn packed(ids: &[AdjustableVariable]) -> Result<Packed<AdjustableVariable, 255>> {
+    let mut list = Packed::new();
+    ids.iter().try_for_each(|id| list.push(id)).map_err(Error::Encode)?;
+    Ok(list)
 }
 
 fn list<T: Clone, const N: usize>(elements: &[T]) -> Result<List<T, N>> {

@@ -148,7 +148,7 @@ fn read_fixed(
 }
 
 fn read_field(field: &Field) -> TokenStream {
-    let spec = &field.spec;
+    let (spec, inner) = (&field.spec, &field.inner);
     let context = context_of(field);
     if let Some(when) = &field.arguments.when {
         return local!(crate::wire::read_when(#when, #spec, input, #context));
@@ -158,11 +158,11 @@ fn read_field(field: &Field) -> TokenStream {
     }
     match &field.arguments.count {
         None => local!(crate::wire::read_field(#spec, input, #context)),
-        Some(Count::Prefix(_)) => local!(crate::wire::List::read_counted(#spec, input, #context)),
+        Some(Count::Prefix(_)) => local!(<#inner>::read_counted(#spec, input, #context)),
         Some(Count::Exactly(count)) => {
-            local!(crate::wire::List::read_exactly(#count, #spec, input, #context))
+            local!(<#inner>::read_exactly(#count, #spec, input, #context))
         }
-        Some(Count::AtMost(count)) => local!(crate::wire::List::read_at_most(#count, #spec, input, #context)),
+        Some(Count::AtMost(count)) => local!(<#inner>::read_at_most(#count, #spec, input, #context)),
     }
 }
 

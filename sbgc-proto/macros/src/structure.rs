@@ -75,9 +75,9 @@ pub(crate) fn is_named(ty: &Type, name: &str) -> bool {
     matches!(ty, Type::Path(path) if path.path.segments.last().is_some_and(|segment| segment.ident == name))
 }
 
-/// The `T` of `List<T, N>`.
+/// The `T` of `List<T, N>` and `Packed<T, N>`.
 pub(crate) fn element_of(ty: &Type) -> Option<&Type> {
-    argument_of(ty, "List")
+    argument_of(ty, "List").or_else(|| argument_of(ty, "Packed"))
 }
 
 /// The first argument of a generic type of this name.

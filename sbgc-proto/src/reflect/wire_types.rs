@@ -4,7 +4,8 @@ use super::{
     Assign, AssignError, Describe, FieldInfo, Input, Number, NumberType, Place, Raw, Scalar, Shape, Steps,
     Visitor, hex_bytes, reflect_number, text_bytes, walk_elements,
 };
-use crate::wire::{Bytes, FixedText, Float, List, PerAxis, PerXyz, Reserved, Text, U24};
+use crate::EncodeError;
+use crate::wire::{Bytes, Element, FixedText, Float, List, Packed, PerAxis, PerXyz, Reserved, Text, U24};
 
 macro_rules! integers {
     ($($integer:ident)*) => { $(
@@ -154,6 +155,63 @@ impl<'a, T: Assign<'a> + Default, const N: usize> Assign<'a> for List<T, N> {
         let mut element = T::default();
         element.assign(path, value, field)?;
         self.push(element).map_err(|_| AssignError::TooMany { most: N })
+    }
+}
+
+impl<T: Element, const N: usize> Packed<T, N> {
+    /// The most elements that there can be.
+    const MOST: usize = match N.checked_div(T::MIN_LEN) {
+        Some(most) => most,
+        None => N,
+    };
+}
+
+impl<T: Element, const N: usize> Describe for Packed<T, N>
+where
+    for<'x> T::At<'x>: Describe,
+{
+    const SHAPE: Shape = Shape::List { most: Self::MOST, element: &<T::At<'static> as Describe>::SHAPE };
+
+    fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+        let mut size = 0;
+        for (index, element) in self.iter().enumerate() {
+            size += place.element(index, size).walk(&element, visitor);
+        }
+        size
+    }
+}
+
+impl<'a, T: Element, const N: usize> Assign<'a> for Packed<T, N>
+where
+    for<'x> T::At<'x>: Assign<'x> + Default,
+{
+    fn assign(
+        &mut self,
+        mut path: Steps<'_>,
+        value: Input<'a>,
+        field: &'static FieldInfo,
+    ) -> Result<(), AssignError> {
+        // One more than there are: setting the first that is missing appends it.
+        let index = path.next_index(Self::MOST.min(self.len().saturating_add(1)))?;
+        let full = |error| match error {
+            EncodeError::BufferTooSmall { needed, .. } => AssignError::Length { expected: N, got: needed },
+            _ => AssignError::TooMany { most: Self::MOST },
+        };
+        let mut changed = Self::new();
+        {
+            let mut elements = self.iter();
+            for element in elements.by_ref().take(index) {
+                changed.push(&element).map_err(full)?;
+            }
+            let mut element = elements.next().unwrap_or_default();
+            element.assign(path, value, field)?;
+            changed.push(&element).map_err(full)?;
+            for element in elements {
+                changed.push(&element).map_err(full)?;
+            }
+        }
+        *self = changed;
+        Ok(())
     }
 }
 

@@ -4,7 +4,6 @@ use heapless::Vec;
 use nom::Parser;
 use nom::combinator::complete;
 use nom::error::{ErrorKind, ParseError};
-use nom::multi::fold;
 
 use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
@@ -127,27 +126,11 @@ impl<T, const N: usize> List<T, N> {
         Self::read_some(count, count, input, context).map_err(|fault| fault.named(field))
     }
 
-    /// Reads `count` elements, or fewer where the payload ends after one.
-    pub(crate) fn read_at_most<'a, C: Copy>(
-        count: usize,
-        field: &'static str,
-        input: &'a [u8],
-        context: C,
-    ) -> Read<'a, Self>
-    where
-        T: FromWire<'a, C>,
-    {
-        Self::read_some(0, count.min(N), input, context).map_err(|fault| fault.named(field))
-    }
-
     fn read_some<'a, C: Copy>(least: usize, most: usize, input: &'a [u8], context: C) -> Read<'a, Self>
     where
         T: FromWire<'a, C>,
     {
-        if most == 0 {
-            return Ok((input, Self::new()));
-        }
-        let element = complete(|input: &'a [u8]| {
+        let mut element = complete(|input: &'a [u8]| {
             // An element of no bytes would repeat for ever.
             let element = if input.is_empty() {
                 Fault::short(T::MIN_LEN.max(1), input)
@@ -156,16 +139,26 @@ impl<T, const N: usize> List<T, N> {
             };
             element.map_err(|fault| nom::Err::Error(Unparsed(fault)))
         });
-        let mut elements = fold(least..=most, element, Self::new, |mut list, element| {
-            // `most` is within the capacity.
-            let _ = list.push(element);
-            list
-        });
-        elements.parse(input).map_err(|error| match error {
-            nom::Err::Error(Unparsed(fault)) | nom::Err::Failure(Unparsed(fault)) => fault,
-            // No parser here asks for more input.
-            nom::Err::Incomplete(_) => Unparsed::from_error_kind(input, ErrorKind::Complete).0,
-        })
+        // Not by `nom::multi::fold`, which would move the whole list on for each element.
+        let (mut list, mut rest) = (Self::new(), input);
+        while list.len() < most {
+            match element.parse(rest) {
+                Ok((after, value)) => {
+                    rest = after;
+                    // `most` is within the capacity.
+                    let _ = list.push(value);
+                }
+                Err(nom::Err::Error(Unparsed(fault)) | nom::Err::Failure(Unparsed(fault))) => {
+                    if list.len() < least {
+                        return Err(fault);
+                    }
+                    break;
+                }
+                // No parser here asks for more input.
+                Err(nom::Err::Incomplete(_)) => break,
+            }
+        }
+        Ok((rest, list))
     }
 
     fn write_all<C: Copy>(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError>
@@ -199,22 +192,6 @@ impl<T, const N: usize> List<T, N> {
         T: ToWire<C>,
     {
         if self.len() != count {
-            return Err(EncodeError::Count { field, expected: count, got: self.len() });
-        }
-        self.write_all(context, out)
-    }
-
-    pub(crate) fn write_at_most<C: Copy>(
-        &self,
-        count: usize,
-        field: &'static str,
-        context: C,
-        out: &mut Writer<'_>,
-    ) -> Result<(), EncodeError>
-    where
-        T: ToWire<C>,
-    {
-        if self.len() > count {
             return Err(EncodeError::Count { field, expected: count, got: self.len() });
         }
         self.write_all(context, out)

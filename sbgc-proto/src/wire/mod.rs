@@ -14,6 +14,7 @@ mod fault;
 mod list;
 mod number;
 mod option;
+mod packed;
 mod slot;
 #[cfg(test)]
 mod tests;
@@ -24,6 +25,7 @@ pub use bytes::{Bytes, FixedText, Reserved, Text};
 pub use fault::{Fault, Read};
 pub use list::List;
 pub use number::{Float, Label, U24};
+pub use packed::{Element, Elements, Packed};
 pub use slot::Slot;
 pub use writer::Writer;
 

@@ -2,7 +2,7 @@
 
 use sbgc_proto_macros::{message, record};
 
-use super::{List, PerAxis, Reserved, Text};
+use super::{Element, List, Packed, PerAxis, Reserved, Text};
 use crate::units::Angle;
 use crate::{DecodeError, EncodeError, Message};
 
@@ -51,7 +51,7 @@ pub(super) struct Lists<'a> {
     pub most: u8,
     /// At most that.
     #[wire(at_most = usize::from(*most))]
-    pub named: List<Named<'a>, 8>,
+    pub named: Packed<Named<'a>, 252>,
 }
 
 /// A text and a number.
@@ -61,6 +61,10 @@ pub(super) struct Named<'a> {
     pub name: Text<'a>,
     /// Kept.
     pub reserved: Reserved<1>,
+}
+
+impl Element for Named<'_> {
+    type At<'x> = Named<'x>;
 }
 
 /// Reserved bytes, with and without condition.
@@ -167,7 +171,7 @@ fn lists_count_in_every_way() {
     let (message, rest) = Lists::decode_prefix(&payload).unwrap();
     assert_eq!(&message.counted[..], [Angle(4096), Angle(8192)]);
     assert_eq!(message.named.len(), 2);
-    assert_eq!(message.named[0].name.as_str(), Ok("AB"));
+    assert_eq!(message.named.get(0).unwrap().name.as_str(), Ok("AB"));
     assert!(rest.is_empty());
     assert_eq!(bytes(&message), payload);
 
@@ -316,5 +320,60 @@ mod reflection {
         for text in [r#""\q""#, r#""\x4""#, r#""\u{110000}""#, r#""a"b""#] {
             assert!(reflect::text_bytes(text, &mut [0; 9]).is_err(), "{text}");
         }
+    }
+}
+
+mod packed {
+    use super::*;
+    use crate::commands::{DebugVarInfo, DebugVarKind};
+    use crate::wire::{FromWire, Writer};
+
+    const NAMED: &[u8] = b"\x02ab\x07\x01\x02";
+
+    fn list<const N: usize>(input: &[u8]) -> (Packed<DebugVarInfo<'static>, N>, &[u8]) {
+        let (rest, list) = FromWire::read(input, ()).unwrap();
+        (list, rest)
+    }
+
+    #[test]
+    fn elements_are_read_when_asked_for() {
+        let input = [NAMED, b"\0\x01\0\0", b"\x05cut"].concat();
+        let (packed, rest) = list::<254>(&input);
+        assert_eq!((packed.len(), rest), (2, &b"\x05cut"[..]));
+        assert_eq!(packed.as_bytes(), &input[..10]);
+        let first = packed.get(0).unwrap();
+        assert_eq!(
+            (first.var_name.0, first.var_type, first.reserved.0),
+            (&b"ab"[..], DebugVarKind(7), [1, 2])
+        );
+        assert_eq!(packed.get(1).unwrap().var_name.0, b"");
+        assert!(packed.get(2).is_none());
+        assert_eq!(packed.iter().collect::<Packed<DebugVarInfo<'_>, 254>>(), packed);
+    }
+
+    #[test]
+    fn what_has_no_room_is_left_over() {
+        let input = [NAMED, NAMED].concat();
+        let (packed, rest) = list::<11>(&input);
+        assert_eq!((packed.len(), rest), (1, NAMED));
+        let mut full = packed.clone();
+        let element = packed.get(0).unwrap();
+        let error = full.push(&element).unwrap_err();
+        assert!(matches!(error, EncodeError::BufferTooSmall { capacity: 11, .. }), "{error}");
+        assert_eq!(full, packed);
+        assert_eq!([element, element].into_iter().collect::<Packed<DebugVarInfo<'_>, 11>>().len(), 1);
+        assert_eq!(list::<11>(&[]), (Packed::new(), &[][..]));
+    }
+
+    #[test]
+    fn a_count_limits_both_directions() {
+        let input = [NAMED, NAMED].concat();
+        let (rest, packed) = Packed::<DebugVarInfo<'_>, 254>::read_at_most(1, "vars", &input, ()).unwrap();
+        assert_eq!((packed.len(), rest), (1, NAMED));
+        let mut out = [0; 20];
+        let mut writer = Writer::new(&mut out);
+        assert!(packed.write_at_most(0, "vars", (), &mut writer).is_err());
+        packed.write_at_most(1, "vars", (), &mut writer).unwrap();
+        assert_eq!(writer.len(), NAMED.len());
     }
 }

@@ -15,6 +15,11 @@ impl<'o> Writer<'o> {
         Self { buffer, length: 0 }
     }
 
+    /// Writes behind the first `length` bytes of `buffer`, which count as written.
+    pub(crate) fn after(buffer: &'o mut [u8], length: usize) -> Self {
+        Self { buffer, length }
+    }
+
     /// Bytes written so far.
     pub fn len(&self) -> usize {
         self.length

@@ -8,7 +8,7 @@ use sbgc_proto::commands::{
     VariableInfo, VariableValue, VariableValueF, WriteAdjVarsCfg,
 };
 use sbgc_proto::frame::MAX_PAYLOAD;
-use sbgc_proto::wire::{List, Text};
+use sbgc_proto::wire::{List, Packed, Text};
 use sbgc_proto::{CommandId, Message, OutgoingCommand};
 
 use crate::sim::eeprom::Region;
@@ -37,7 +37,9 @@ pub(super) fn answer(
         OutgoingCommand::GetAdjVarsVal(request) => get(machine, &request.param_id),
         OutgoingCommand::GetAdjVarsValF(request) => get_f(machine, &request.param_id),
         OutgoingCommand::SaveParams3(_) => save(machine, None),
-        OutgoingCommand::SaveParams3Extended(request) => save(machine, Some(&request.adj_var_id)),
+        OutgoingCommand::SaveParams3Extended(request) => {
+            save(machine, Some(&request.adj_var_id.iter().collect::<Vec<_>>()))
+        }
         OutgoingCommand::ReadAdjVarsCfg(_) => {
             let payload = machine.parameters.eeprom.region(Region::VariableSlots).to_vec();
             send(Ok(Packet { id: CommandId::ReadAdjVarsCfg, payload }))
@@ -154,7 +156,7 @@ fn state_of_old(machine: &Machine, request: &AdjVarsStateLegacyRequest) -> Repli
 
 /// As many variables from `start` on as fit one message.
 fn info(machine: &Machine, start: Option<Var>) -> Replies {
-    let mut vars = List::new();
+    let mut vars = Packed::new();
     let mut length = 1;
     let first = start.map_or(0, Var::raw);
     for facts in Var::ALL.iter().filter(|facts| facts.variable.raw() >= first) {
@@ -168,7 +170,7 @@ fn info(machine: &Machine, start: Option<Var>) -> Replies {
             range_max: short(most),
             value: value(machine, facts.variable).map(whole).unwrap_or_default(),
         };
-        if length > MAX_PAYLOAD || vars.push(info).is_err() {
+        if length > MAX_PAYLOAD || vars.push(&info).is_err() {
             break;
         }
     }

@@ -5,7 +5,7 @@ use sbgc_proto::commands::{
     DebugVarAxis, DebugVarInfo, DebugVarKind, DebugVarType, DebugVars3, DebugVars3ExtendedRequest,
     DebugVars3Masked, DebugVarsInfo3,
 };
-use sbgc_proto::wire::{List, Reserved, Text};
+use sbgc_proto::wire::{Packed, Reserved, Text};
 
 use crate::sim::machine::{Call, Machine};
 use crate::sim::motion::CYCLE;
@@ -31,18 +31,19 @@ struct Shown {
 /// The descriptions from the variable `start` on; all of them fit one message.
 fn info(machine: &Machine, start: u8) -> Replies {
     let shown = shown(machine);
-    let mut vars: List<_, 63> = List::new();
+    let mut vars = Packed::new();
     for shown in shown.iter().skip(start.into()) {
         let info = DebugVarInfo {
             var_name: Text(shown.name.as_bytes()),
             var_type: shown.kind,
             reserved: Reserved::default(),
         };
-        if vars.push(info).is_err() {
+        if vars.push(&info).is_err() {
             break;
         }
     }
-    message(&DebugVarsInfo3 { debug_vars_num: vars.count(), vars })
+    let debug_vars_num = u8::try_from(vars.len()).unwrap_or(u8::MAX);
+    message(&DebugVarsInfo3 { debug_vars_num, vars })
 }
 
 /// The values, all or those that are asked for.

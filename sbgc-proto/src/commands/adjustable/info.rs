@@ -3,7 +3,7 @@
 use sbgc_proto_macros::{message, record};
 
 use super::AdjustableVariable;
-use crate::wire::{List, Text};
+use crate::wire::{Element, Packed, Text};
 
 /// Requests the list of adjustable variables.
 ///
@@ -22,7 +22,7 @@ pub struct AdjVarsInfo<'a> {
     pub total_number: u8,
     /// Variables described in this message.
     #[wire(group)]
-    pub vars: List<VariableInfo<'a>, 25>,
+    pub vars: Packed<VariableInfo<'a>, 254>,
 }
 
 /// Description of an adjustable variable, as reported by the firmware.
@@ -38,4 +38,8 @@ pub struct VariableInfo<'a> {
     pub range_max: i16,
     /// Current raw value.
     pub value: i32,
+}
+
+impl Element for VariableInfo<'_> {
+    type At<'x> = VariableInfo<'x>;
 }

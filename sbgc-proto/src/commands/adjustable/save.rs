@@ -4,7 +4,7 @@ use sbgc_proto_macros::message;
 
 use super::AdjustableVariable;
 use crate::commands::Confirm;
-use crate::wire::List;
+use crate::wire::{Element, Packed};
 
 /// Stores the values of all adjustable variables in use in EEPROM; values that belong to a profile go to the active
 /// one.
@@ -27,5 +27,9 @@ pub struct SaveParams3;
 )]
 pub struct SaveParams3Extended {
     /// Variables to store, at least one: the form without variables stores all.
-    pub adj_var_id: List<AdjustableVariable, 255>,
+    pub adj_var_id: Packed<AdjustableVariable, 255>,
+}
+
+impl Element for AdjustableVariable {
+    type At<'x> = Self;
 }

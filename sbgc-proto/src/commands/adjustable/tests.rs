@@ -103,10 +103,11 @@ fn a_page_of_variables_ends_with_the_payload() {
     let page: AdjVarsInfo<'_> = whole(&payload);
     assert_eq!(page.total_number, 102);
     assert_eq!(page.vars.len(), 2);
-    assert_eq!(page.vars[0].var_id, AdjustableVariable::GyroTrust);
-    assert_eq!(page.vars[0].name.as_str(), Ok("GYRO"));
-    assert_eq!((page.vars[0].range_max, page.vars[0].value), (255, 50));
-    assert_eq!((page.vars[1].range_min, page.vars[1].range_max, page.vars[1].value), (-32768, 32767, -1));
+    let (first, second) = (page.vars.get(0).unwrap(), page.vars.get(1).unwrap());
+    assert_eq!(first.var_id, AdjustableVariable::GyroTrust);
+    assert_eq!(first.name.as_str(), Ok("GYRO"));
+    assert_eq!((first.range_max, first.value), (255, 50));
+    assert_eq!((second.range_min, second.range_max, second.value), (-32768, 32767, -1));
     assert_eq!(AdjVarsInfo::decode_prefix(&payload[..20]).unwrap().1, &payload[15..20]);
 
     assert_eq!(whole::<AdjVarsInfoRequest>(&[]).start_id, None);

@@ -8,7 +8,7 @@ mod tests;
 
 use sbgc_proto_macros::{bit_fields, message, open_enum, record};
 
-use crate::wire::{Float, FromWire, List, Reserved, Text};
+use crate::wire::{Element, Float, FromWire, List, Packed, Reserved, Text};
 use crate::{DecodeError, Message, OutOfRange};
 
 /// Requests names and types of the debug variables.
@@ -40,7 +40,7 @@ pub struct DebugVarsInfo3<'a> {
     pub debug_vars_num: u8,
     /// Variables, in the order of their values.
     #[wire(group, at_most = usize::from(*debug_vars_num))]
-    pub vars: List<DebugVarInfo<'a>, 63>,
+    pub vars: Packed<DebugVarInfo<'a>, 254>,
 }
 
 /// Name and type of a debug variable.
@@ -52,6 +52,10 @@ pub struct DebugVarInfo<'a> {
     /// Wire type and meaning of the value.
     pub var_type: DebugVarKind,
     pub reserved: Reserved<2>,
+}
+
+impl Element for DebugVarInfo<'_> {
+    type At<'x> = DebugVarInfo<'x>;
 }
 
 /// Wire type and meaning of a debug variable.

@@ -10,7 +10,7 @@ fn variables_are_described() {
         [2, 4, b'E', b'R', b'R', b'1', 0x01, 0, 0, 5, b'A', b'N', b'G', b'_', b'P', 0x64, 0xAB, 0xCD];
     let info = DebugVarsInfo3::decode(&payload).unwrap();
     assert_eq!(info.debug_vars_num, 2);
-    let [error, angle] = info.vars[..] else { panic!("two variables") };
+    let [error, angle] = info.vars.iter().collect::<Vec<_>>()[..] else { panic!("two variables") };
     assert_eq!((error.var_name.as_str(), error.var_type.var_type()), (Ok("ERR1"), DebugVarType::U8));
     assert_eq!(angle.var_name.as_str(), Ok("ANG_P"));
     assert_eq!((angle.var_type.axis(), angle.var_type.is_angle()), (DebugVarAxis::Pitch, true));

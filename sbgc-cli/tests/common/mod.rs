@@ -12,7 +12,15 @@ use serde_json::Value;
 
 /// The program, without what the surroundings say.
 pub(crate) fn sbgc() -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_sbgc"));
+    let program = env!("CARGO_BIN_EXE_sbgc");
+    let mut command = if hangup_is_ignored() {
+        // Tests under nohup: a child inherits it, and the program would rightly live on.
+        let mut command = Command::new("env");
+        command.args(["--default-signal=HUP", program]);
+        command
+    } else {
+        Command::new(program)
+    };
     for (variable, _) in std::env::vars() {
         if variable.starts_with("SBGC_") {
             command.env_remove(variable);
@@ -23,6 +31,12 @@ pub(crate) fn sbgc() -> Command {
         .env("XDG_CONFIG_HOME", "/nonexistent")
         .env("XDG_STATE_HOME", std::env::temp_dir().join("sbgc-test-state"));
     command
+}
+
+fn hangup_is_ignored() -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).is_some_and(|mask| mask & 1 != 0)
 }
 
 /// Runs it with these arguments.

@@ -70,9 +70,9 @@ fuzz_target!(|steps: &[u8]| {
             3 => drop(machine.set(now, 67, Bytes::copy_from_slice(&[*value; 15]))),
             4 => drop(machine.send_now(now, 67, Bytes::copy_from_slice(&[*value; 15]))),
             5 => {
-                let shape =
-                    Shape { command: [23, 25, 88][usize::from(*value) % 3], config: [0; 8], length: None };
-                let call = StreamCall { shape, interval_ms: 20, capacity: 4 };
+                let command = CommandId::from_raw([23, 25, 88][usize::from(*value) % 3]);
+                let shape = Shape::new(command, [0; 8]);
+                let call = StreamCall { shape, interval_ms: 20, synced: value % 3 == 0, capacity: 4 };
                 let asker = asker(&asked);
                 let (number, _) = machine.subscribe(call, asker);
                 // Leaving gives up waiting.

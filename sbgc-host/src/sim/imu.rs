@@ -174,11 +174,12 @@ impl Imu {
 
     /// The error between gravity as estimated and as measured, and that of the heading.
     pub(super) fn reference_errors(&self) -> (AttitudeError, AttitudeError) {
-        let moved = self.frame_acc.into_array().into_iter().map(|part| part * part).sum::<f64>().sqrt();
+        let PerXyz { x, y, z } = self.frame_acc;
+        // The frame does not accelerate here, so what is told of it leads the measured gravity astray.
+        let astray = x.hypot(y).atan2(1.0 - z).to_degrees();
         #[allow(clippy::cast_possible_truncation, reason = "the wire has no more precision")]
         let error = |degrees: f64| AttitudeError::from_degrees(degrees as f32);
-        // What the frame says of its own acceleration is compensated.
-        (error(0.2 + 0.05 * moved), error(0.4))
+        (error(0.2 + astray), error(0.4))
     }
 
     /// What is known of the references.

@@ -79,6 +79,8 @@ pub(super) struct Line {
     gone_until: Duration,
     gone: BytesMut,
     counters: LineCounters,
+    /// What came from the host of a line that carries raw bytes, instead of messages.
+    raw: Option<Vec<u8>>,
 }
 
 impl Line {
@@ -101,6 +103,7 @@ impl Line {
             gone_until: Duration::ZERO,
             gone: BytesMut::new(),
             counters: LineCounters::default(),
+            raw: None,
         }
     }
 
@@ -113,6 +116,30 @@ impl Line {
         self.delayed.clear();
         self.delayed_in.clear();
         self.output.clear();
+        self.raw = None;
+    }
+
+    /// Lets it carry raw bytes from now on, or messages again.
+    pub(super) fn set_raw(&mut self, raw: bool) {
+        self.raw = raw.then(Vec::new);
+    }
+
+    /// Whether it carries raw bytes.
+    pub(super) fn is_raw(&self) -> bool {
+        self.raw.is_some()
+    }
+
+    /// The raw bytes that have come.
+    pub(super) fn take_raw(&mut self) -> Vec<u8> {
+        self.raw.as_mut().map(std::mem::take).unwrap_or_default()
+    }
+
+    /// Sends raw bytes; what finds no room is lost.
+    pub(super) fn send_raw(&mut self, now: Duration, bytes: &[u8]) {
+        self.carry_out(now);
+        let room = BOARD_BUFFER.saturating_sub(self.output.len()).min(bytes.len());
+        self.output.extend_from_slice(bytes.get(..room).unwrap_or_default());
+        self.carry_out(now);
     }
 
     /// Forgets what is on the wire, too.
@@ -181,8 +208,10 @@ impl Line {
             }
             if !chunk.is_empty() {
                 self.last_byte = now;
-                if !deaf {
-                    self.decode(now, &chunk);
+                match &mut self.raw {
+                    _ if deaf => {}
+                    Some(raw) => raw.extend_from_slice(&chunk),
+                    None => self.decode(now, &chunk),
                 }
             }
             if !last {
@@ -256,7 +285,7 @@ impl Line {
 
     /// Sends a message; it waits where there is no room for it.
     pub(super) fn send(&mut self, now: Duration, version: Version, id: u8, payload: &[u8]) {
-        let Some(frame) = encoded(version, id, payload) else { return };
+        let Some(frame) = encoded(version, id, payload).filter(|_| !self.is_raw()) else { return };
         self.counters.sent += 1;
         let (copies, spoiled) = self.tamper_out.fate();
         for _ in 0..copies {

@@ -173,7 +173,13 @@ impl Machine {
             angles.yaw = self.motion.frame().yaw;
         }
         let speed = Some(speed_of(settings.ext2.auto_speed));
-        self.motion.give_task(angles.map(|angle| Some(Goal::Angle { angle, speed })));
+        let axes = self.motion.axes().into_array().into_iter().zip(angles.into_array());
+        // An axis that is there already stands, so that a correction of its attitude does not make it move.
+        let mut tasks = axes.map(|(axis, angle)| {
+            let there = (axis.angle - angle).abs() < 0.01;
+            (!there).then_some(Goal::Angle { angle, speed })
+        });
+        self.motion.give_task([(); 3].map(|()| tasks.next().flatten()).into());
         self.starting = !self.motion.finish_tasks();
     }
 

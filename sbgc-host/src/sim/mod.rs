@@ -24,8 +24,18 @@
 //! coming is given up after 100 ms of silence.
 //!
 //! # Not simulated
-//! Bridges between serial ports, compiled scripts, the encryption and refusal of protected boards, and the vibration of
-//! a real camera. The bootloader takes no firmware: after three seconds it starts the board again.
+//! * What stabilizes a real camera, and disturbs it: PID, power, filters, notches, momentum and cogging of the motors,
+//!   vibration, imbalance, gimbal lock, drift of sensors. Their parameters are kept and change nothing.
+//! * The frame stands unless a program turns it ([`Board::turn_frame`], or `CMD_AHRS_HELPER` for the frame).
+//! * Protection by password is set and read, and keeps nobody out: how a host proves that it knows the password is not
+//!   published. Neither is encryption; signatures are made up.
+//! * Control flags `MIX_FOLLOW` and `TARGET_PRECISE`, the order of Euler angles, forced and parking positions, and
+//!   `STARTUP_ACTION`: published are names, or fields without the meaning of their numbers.
+//! * Scripts are text, a command per line that moves, waits or calls the menu; compiled ones end with an error.
+//! * Other devices: MAVLink, external sensors and motor drivers answer as ones that are not connected, and
+//!   `CMD_TRANSPARENT_SAPI` leads nowhere. The bootloader takes no firmware: after three seconds it starts the board again.
+//! * The menu button is pressed by `MENU_CMD_BUTTON_PRESS` alone, and the serial ports keep the rate of the line whatever
+//!   `SERIAL_SPEED` says.
 
 #![doc = include_str!("table.md")]
 

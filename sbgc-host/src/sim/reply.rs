@@ -50,6 +50,10 @@ pub(super) enum Reply {
     Boot {
         after: Duration,
     },
+    /// Two ports carry raw bytes to each other from now on.
+    Bridge {
+        ports: [u8; 2],
+    },
 }
 
 /// Why a command is not carried out.

@@ -1,4 +1,7 @@
-//! Pins, servo outputs and the inputs of remote control.
+//! Pins, servo outputs, the inputs of remote control, and bridges between serial ports.
+//!
+//! Real: bridged ports carry raw bytes to each other and no messages, until the board resets or one of them is given
+//! back.
 
 use sbgc_proto::commands::{
     ConfirmData, RcInputs as RcInputsMessage, ReadRcInputs, TriggerPin, TriggerPinState,
@@ -10,9 +13,13 @@ use sbgc_proto::{CommandId, OutgoingCommand};
 use crate::sim::machine::{Call, Machine};
 use crate::sim::pins::SERVOS;
 use crate::sim::rc::wire_signal;
-use crate::sim::reply::{Refusal, Replies, confirm, done, message, silence};
+use crate::sim::reply::{Refusal, Replies, Reply, confirm, done, message, silence};
 
-pub(super) fn answer(machine: &mut Machine, _: &Call<'_>, command: &OutgoingCommand<'_>) -> Option<Replies> {
+pub(super) fn answer(
+    machine: &mut Machine,
+    call: &Call<'_>,
+    command: &OutgoingCommand<'_>,
+) -> Option<Replies> {
     Some(match command {
         OutgoingCommand::TriggerPin(request) => trigger(machine, request),
         OutgoingCommand::ServoOut(servos) => {
@@ -32,12 +39,8 @@ pub(super) fn answer(machine: &mut Machine, _: &Call<'_>, command: &OutgoingComm
             silence()
         }
         OutgoingCommand::SetTranspProxy(request) => {
-            // A bridge carries bytes between ports that are not there; only its parameters are looked at.
-            if request.port1 == request.port2 || request.port1.max(request.port2) > 3 {
-                Err(Refusal::Parameters)
-            } else {
-                silence()
-            }
+            let ports = [request.port1, request.port2].map(|port| port.checked_sub(1).unwrap_or(call.port));
+            if ports[0] == ports[1] { Err(Refusal::Parameters) } else { Ok(vec![Reply::Bridge { ports }]) }
         }
         OutgoingCommand::ReadRcInputs(request) => read_inputs(machine, request),
         _ => return None,

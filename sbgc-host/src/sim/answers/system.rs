@@ -1,7 +1,7 @@
 //! The debug port, signatures, and protection by password.
 //!
-//! Simplified: signatures are made up and the same for the same message, and a protection that is set keeps nobody
-//! out.
+//! Simplified: signatures are made up and the same for the same message. A protection that is set keeps nobody out, since
+//! nobody has published how a host proves that it knows the password.
 
 use sbgc_proto::commands::{
     DebugPortAction, DebugPortFilter, PassProtectFlags, PassProtectRead, SetDebugPortRequest, SignMessage,

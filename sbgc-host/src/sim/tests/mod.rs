@@ -8,6 +8,7 @@ mod line;
 mod memory;
 mod moves;
 mod parameters;
+mod ports;
 mod procedures;
 mod remote;
 mod sensors;

@@ -9,7 +9,7 @@ use sbgc_proto::commands::{
     RealtimeDataCustomRequest, StreamSource,
 };
 use sbgc_proto::frame::{Version, encode_into};
-use sbgc_proto::units::{Angle, ControlRate, FineAngle, FrameHeading, StreamInterval};
+use sbgc_proto::units::{Acceleration, Angle, ControlRate, FineAngle, FrameHeading, StreamInterval};
 use sbgc_proto::wire::{Float, PerAxis, PerXyz};
 use sbgc_proto::{CommandId, Message};
 
@@ -157,4 +157,18 @@ fn a_port_with_a_higher_priority_is_obeyed_alone() {
     send(&mut board, 0, 67, pitch_to(-20.0).encode(&mut buffer).unwrap());
     board.advance(ms(3000));
     assert!((board.motion().axes().pitch.angle - 20.0).abs() < 0.1, "{:?}", board.motion().axes().pitch);
+}
+
+#[test]
+fn an_acceleration_that_is_not_there_leads_gravity_astray() {
+    let mut bench = Bench::new(Config::default());
+    let mut error = |x: f32| {
+        let acc = PerXyz { x, y: 0.0, z: 0.0 }.map(Acceleration::from_g);
+        assert_eq!(bench.ask(&HelperData { frame_acc: acc, ..HelperData::default() }), []);
+        bench.ask_one(&RealtimeData4Request {}).decoded::<RealtimeData4>().imu_g_err.degrees()
+    };
+    assert!(error(0.0) < 0.5);
+    let astray = error(0.2);
+    assert!((astray - 11.5).abs() < 0.5, "{astray}");
+    assert!(error(0.0) < 0.5);
 }

@@ -1,10 +1,11 @@
 //! What the board does when it starts.
 
 use sbgc_proto::commands::{
-    BoardInfo, BoardInfoRequest, ExecuteMenu, GeneralFlags1, GeneralFlags2, MenuCommand, Params3, ParamsExt2,
-    ProfileFlags1, ProfileId, ReadParams3, ReadParamsExt2, StateFlags1, WriteParams3, WriteParamsExt2,
+    BoardInfo, BoardInfoRequest, ExecuteMenu, GeneralFlags1, GeneralFlags2, HelperData, HelperDataFlags,
+    MenuCommand, Params3, ParamsExt2, ProfileFlags1, ProfileId, ReadParams3, ReadParamsExt2, StateFlags1,
+    WriteParams3, WriteParamsExt2,
 };
-use sbgc_proto::units::Angle;
+use sbgc_proto::units::{Angle, FrameHeading};
 use sbgc_proto::wire::PerAxis;
 
 use super::{Bench, ms};
@@ -90,4 +91,17 @@ fn a_frame_upside_down_is_shown_and_remembered() {
     assert!(flags(&mut bench).contains(StateFlags1::IS_FRAME_INVERTED));
     bench.ask_one(&ExecuteMenu { cmd_id: MenuCommand::FrameUpsideDown });
     assert!(!flags(&mut bench).contains(StateFlags1::IS_FRAME_INVERTED));
+}
+
+#[test]
+fn a_heading_that_becomes_known_later_does_not_turn_the_camera_back() {
+    let mut bench = Bench::new(Config::default());
+    let data = HelperData {
+        flags: HelperDataFlags::default().with_use_frame_heading(true),
+        frame_heading: FrameHeading::from_degrees(30.0),
+        ..HelperData::default()
+    };
+    bench.ask(&data);
+    bench.run(ms(2000));
+    assert!((angles(&bench)[2] - 30.0).abs() < 0.1, "{:?}", angles(&bench));
 }

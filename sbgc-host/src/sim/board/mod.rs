@@ -1,10 +1,13 @@
 //! The board: its ports, its time, and what it does when.
 
+mod ports;
+mod wrong;
+
 use std::collections::VecDeque;
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::commands::{Confirm, PortAndDirection, RcSource, SetDebugPort, SystemSubError};
+use sbgc_proto::commands::{Confirm, RcSource};
 use sbgc_proto::frame::Version;
 use sbgc_proto::wire::PerAxis;
 use sbgc_proto::{CommandId, Message};
@@ -26,9 +29,6 @@ const BOOTLOADER: Duration = Duration::from_secs(3);
 
 /// How many commands are remembered.
 const REMEMBERED: usize = 64;
-
-/// The longest payload that a debug port can forward.
-const FORWARDED: usize = 251;
 
 /// A command that the board has taken.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -87,6 +87,8 @@ pub struct Board {
     unplugged: Vec<(Duration, Duration)>,
     stalled: Vec<(Duration, Duration)>,
     confirms: bool,
+    /// Ports that carry raw bytes to each other.
+    bridges: Vec<[u8; 2]>,
     /// What goes wrong on every line, those of ports that come later included.
     injected: Vec<Fault>,
     taken: VecDeque<TakenCommand>,
@@ -127,6 +129,7 @@ impl Board {
             unplugged: Vec::new(),
             stalled: Vec::new(),
             confirms: true,
+            bridges: Vec::new(),
             injected: Vec::new(),
             taken: VecDeque::new(),
         };
@@ -134,97 +137,6 @@ impl Board {
             board.inject(fault);
         }
         board
-    }
-
-    /// Lets something go wrong from now on, or at its time.
-    pub fn inject(&mut self, fault: Fault) {
-        match fault {
-            Fault::Corrupt { way, .. }
-            | Fault::Drop { way, .. }
-            | Fault::Duplicate { way, .. }
-            | Fault::Delay { way, .. } => {
-                for port in &mut self.ports {
-                    port.line.tamper(way, fault);
-                }
-            }
-            Fault::Reset { at } => {
-                self.planned_resets.push(at);
-                self.planned_resets.sort_unstable();
-            }
-            Fault::Unplug { at, lasts } => self.unplugged.push((at, at.saturating_add(lasts))),
-            Fault::Stall { at, lasts } => self.stalled.push((at, at.saturating_add(lasts))),
-            Fault::NoConfirm => self.confirms = false,
-            Fault::LowBattery => self.machine.power.empty(Some(self.now)),
-            Fault::Sensor => self.set_sensor(false),
-        }
-        self.injected.push(fault);
-    }
-
-    /// Ends what goes wrong.
-    pub fn clear_faults(&mut self) {
-        for port in &mut self.ports {
-            port.line.stop_tampering();
-        }
-        self.planned_resets.clear();
-        self.unplugged.clear();
-        self.stalled.clear();
-        self.confirms = true;
-        self.machine.power.empty(None);
-        self.set_sensor(true);
-        self.injected.clear();
-    }
-
-    /// Whether the line is dead now, because of a fault.
-    pub fn is_unplugged(&self) -> bool {
-        covers(&self.unplugged, self.now)
-    }
-
-    /// Adds a port, or reuses one that was given back, and returns its number. At most 255 are open at once.
-    pub fn connect(&mut self) -> Option<u8> {
-        let free = self.ports.iter().position(|port| !port.open);
-        let index = free.unwrap_or(self.ports.len());
-        let number = u8::try_from(index).ok().filter(|number| *number < u8::MAX)?;
-        let config = self.machine.config();
-        let mut line = Line::new(config.bit_rate, config.seed.wrapping_add(u64::from(number)));
-        for fault in &self.injected {
-            if let Fault::Corrupt { way, .. }
-            | Fault::Drop { way, .. }
-            | Fault::Duplicate { way, .. }
-            | Fault::Delay { way, .. } = *fault
-            {
-                line.tamper(way, *fault);
-            }
-        }
-        let port = Port { line, version: Version::V1, open: true };
-        match self.ports.get_mut(index) {
-            Some(place) => *place = port,
-            None => self.ports.push(port),
-        }
-        Some(number)
-    }
-
-    /// Gives a port back: what is on its way is lost, and its streams end. Motion goes on.
-    pub fn disconnect(&mut self, port: u8) {
-        if let Some(port) = self.ports.get_mut(usize::from(port)) {
-            port.open = false;
-            port.line.reset();
-        }
-        self.machine.streams.drop_port(port);
-        self.machine.debug_ports.remove(&port);
-    }
-
-    /// Changes the bit rate of a port's line; `None` for one that is never the bottleneck.
-    pub fn set_bit_rate(&mut self, port: u8, bit_rate: Option<u32>) {
-        if let Some(port) = self.ports.get_mut(usize::from(port)) {
-            port.line.set_bit_rate(bit_rate);
-        }
-    }
-
-    /// Lets bytes of a port's host be there at once, whatever the bit rate, as a network delivers them.
-    pub fn read_at_once(&mut self, port: u8) {
-        if let Some(port) = self.ports.get_mut(usize::from(port)) {
-            port.line.read_at_once();
-        }
     }
 
     /// Puts bytes of the host on the line at `now`.
@@ -296,11 +208,6 @@ impl Board {
         .min()
         // Whatever is overdue happens a moment later, so that time goes on.
         .map(|time| time.max(self.now.saturating_add(Duration::from_nanos(1))))
-    }
-
-    /// When faults begin and end.
-    fn edges(&self) -> impl Iterator<Item = Duration> {
-        self.unplugged.iter().chain(&self.stalled).flat_map(|(from, until)| [*from, *until])
     }
 
     /// What has arrived at the host since the last call.
@@ -395,25 +302,6 @@ impl Board {
         self.machine.steer(self.now);
     }
 
-    /// Disconnects the sensor of the camera, which is an emergency, or connects it again.
-    fn set_sensor(&mut self, connected: bool) {
-        self.machine.imu.connected = connected;
-        if !connected {
-            self.machine.emergency_stop(self.now, SystemSubError::ImuSensorNotResponding);
-        }
-    }
-
-    /// Resets the board as soon as the notice that it gives before a reset of its own has left.
-    fn reset_with_notice(&mut self) {
-        let payload = Vec::new();
-        self.send_to_all(&Packet { id: CommandId::Reset, payload });
-        let open = self.ports.iter().filter(|port| port.open);
-        let told = open.map(|port| port.line.empty_at(self.now)).max().unwrap_or(self.now);
-        // What leaves at the very moment of the reset would be forgotten.
-        let then = told.saturating_add(Duration::from_millis(1));
-        self.reset_at = Some((then, self.machine.config().boot));
-    }
-
     fn happen(&mut self, time: Duration) {
         if let Some((_, deaf)) = self.reset_at.take_if(|(at, _)| *at <= time) {
             self.reset(time, deaf);
@@ -447,7 +335,14 @@ impl Board {
         for index in 0..self.ports.len() {
             let Some(port) = self.ports.get_mut(index) else { continue };
             port.line.take_in(time, deaf);
+            let raw = port.line.take_raw();
             let number = u8::try_from(index).unwrap_or_default();
+            if let Some(end) = self.other_end(number)
+                && let Some(port) = self.ports.get_mut(usize::from(end))
+            {
+                port.line.send_raw(time, &raw);
+                continue;
+            }
             if stalled {
                 continue;
             }
@@ -486,6 +381,7 @@ impl Board {
                 self.reset_at = Some((time.saturating_add(after), self.machine.config().boot));
             }
             Reply::Boot { after } => self.reset_at = Some((time.saturating_add(after), BOOTLOADER)),
+            Reply::Bridge { ports } => self.bridge(time, port, ports),
         }
     }
 
@@ -499,34 +395,9 @@ impl Board {
         self.forward(time, port, true, packet.id.raw(), &packet.payload);
     }
 
-    fn send_to_all(&mut self, packet: &Packet) {
-        for port in 0..self.ports.len() {
-            self.send(self.now, u8::try_from(port).unwrap_or_default(), packet);
-        }
-    }
-
-    /// Sends a copy of a message of one port to the debug ports.
-    fn forward(&mut self, time: Duration, from: u8, out: bool, id: u8, payload: &[u8]) {
-        let [low, high, ..] = time.as_millis().to_le_bytes();
-        let watching = self.machine.debug_ports.iter().filter(|(port, filter)| {
-            **port != from && !answers::is_left_out(**filter, id) && payload.len() <= FORWARDED
-        });
-        let watching: Vec<u8> = watching.map(|(port, _)| *port).collect();
-        for port in watching {
-            let copy = SetDebugPort {
-                time_ms: u16::from_le_bytes([low, high]),
-                port_and_dir: PortAndDirection::default().with_port(from).with_direction(out),
-                cmd_id: id.into(),
-                payload,
-            };
-            if let (Ok(copy), Some(port)) = (Packet::of(&copy), self.ports.get_mut(usize::from(port))) {
-                port.line.send_sample(time, port.version, copy.id.raw(), &copy.payload);
-            }
-        }
-    }
-
     fn reset(&mut self, time: Duration, deaf: Duration) {
         self.resets += 1;
+        self.bridges.clear();
         for port in &mut self.ports {
             port.line.reset();
             port.version = Version::V1;

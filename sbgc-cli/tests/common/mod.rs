@@ -170,6 +170,12 @@ impl Served {
     pub(crate) fn run(&self, arguments: &[&str]) -> Output {
         run(&[&["--port", &self.port], arguments].concat())
     }
+
+    /// Ends it by a signal, and returns its exit code.
+    pub(crate) fn end(mut self, name: &str) -> Option<i32> {
+        signal(self.child.id(), name);
+        self.child.wait().expect("it ends").code()
+    }
 }
 
 impl Drop for Served {

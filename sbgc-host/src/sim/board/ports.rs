@@ -102,7 +102,9 @@ impl Board {
         };
         if ports.iter().all(open) {
             self.bridges.push(ports);
-            ports.into_iter().for_each(|port| self.set_raw(port, true));
+            for end in ports {
+                self.set_raw(end, true);
+            }
             return;
         }
         for reply in Refusal::State.replies(CommandId::SetTranspProxy).unwrap_or_default() {

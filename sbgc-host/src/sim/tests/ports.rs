@@ -1,13 +1,22 @@
 //! Several ports of one board.
 
+use sbgc_proto::Message;
+use sbgc_proto::commands::{Control, ControlConfig, DataStreamInterval, StreamSource};
 use sbgc_proto::frame::{Version, encode_into};
+use sbgc_proto::units::{ControlRate, StreamInterval};
+use sbgc_proto::wire::ToWire;
 
 use super::ms;
 use crate::sim::{Board, Config};
 
 fn frame(id: u8, payload: &[u8]) -> Vec<u8> {
-    let mut buffer = [0; 64];
+    let mut buffer = [0; 80];
     encode_into(Version::V1, id, payload, &mut buffer).unwrap().to_vec()
+}
+
+fn of<M: Message + ToWire>(message: &M) -> Vec<u8> {
+    let mut payload = [0; 64];
+    frame(M::ID.raw(), message.encode(&mut payload).unwrap())
 }
 
 const BOARD_INFO: [u8; 5] = [0x3E, 86, 0, 86, 0];
@@ -58,5 +67,34 @@ fn a_bridge_needs_two_ports_that_are_there() {
         board.receive(ms(turn * 100), &frame(143, &ports));
         board.advance(ms(turn * 100 + 8));
         assert_eq!(board.take_output()[4..6], [143, code], "{ports:?}");
+    }
+}
+
+#[test]
+fn a_host_that_leaves_stops_its_streams_and_not_the_motion() {
+    for timeout in [0, 300] {
+        let mut board = Board::new(Config::default());
+        let (host, watcher) = (board.connect().unwrap(), board.connect().unwrap());
+        let config = ControlConfig { timeout_ms: timeout, ..ControlConfig::default() };
+        let speed = ControlRate::from_degrees_per_second(20.0);
+        let mut now = ms(1);
+        let mut tell = |board: &mut Board, frame: Vec<u8>| {
+            board.receive_on(host, now, &frame);
+            now += ms(8);
+            board.advance(now);
+        };
+        tell(&mut board, of(&config));
+        tell(&mut board, of(&DataStreamInterval::new(StreamSource::RealtimeData3, StreamInterval(10))));
+        tell(&mut board, of(&Control::speeds([speed; 3].into())));
+        board.advance(ms(200));
+        board.disconnect(host);
+        board.advance(ms(1000));
+        let turns = board.motion().axes().yaw.speed;
+        let expected = if timeout == 0 { 20.0 } else { 0.0 };
+        assert!((turns - expected).abs() < 0.1, "{timeout}: {turns}");
+        // The port is given to the next host, which gets nothing of the one before.
+        assert_eq!(board.connect(), Some(host));
+        board.advance(ms(2000));
+        assert_eq!((board.take_output_of(host), board.take_output_of(watcher)), Default::default());
     }
 }

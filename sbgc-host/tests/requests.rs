@@ -428,3 +428,52 @@ async fn a_hostile_stream_stops_nothing() {
     });
     info.unwrap();
 }
+
+/// Notes the spans that are opened, and what they record.
+#[derive(Clone, Default)]
+struct Notes(std::sync::Arc<std::sync::Mutex<Vec<String>>>);
+
+impl tracing::field::Visit for &Notes {
+    fn record_debug(&mut self, field: &tracing::field::Field, value: &dyn std::fmt::Debug) {
+        self.0.lock().unwrap().push(format!("{field}={value:?}"));
+    }
+}
+
+impl tracing::Subscriber for Notes {
+    fn enabled(&self, metadata: &tracing::Metadata<'_>) -> bool {
+        metadata.is_span()
+    }
+
+    fn new_span(&self, span: &tracing::span::Attributes<'_>) -> tracing::span::Id {
+        self.0.lock().unwrap().push(span.metadata().name().to_owned());
+        span.record(&mut &*self);
+        tracing::span::Id::from_u64(1)
+    }
+
+    fn record(&self, _: &tracing::span::Id, values: &tracing::span::Record<'_>) {
+        values.record(&mut &*self);
+    }
+
+    fn record_follows_from(&self, _: &tracing::span::Id, _: &tracing::span::Id) {}
+
+    fn event(&self, _: &tracing::Event<'_>) {}
+
+    fn enter(&self, _: &tracing::span::Id) {}
+
+    fn exit(&self, _: &tracing::span::Id) {}
+}
+
+#[tokio::test(start_paused = true)]
+async fn each_request_is_a_span_with_its_outcome() {
+    let notes = Notes::default();
+    let _noting = tracing::subscriber::set_default(notes.clone());
+    let (gimbal, mut board) = gimbal();
+    notes.0.lock().unwrap().clear();
+    let (angles, ()) = tokio::join!(gimbal.angles(), async {
+        board.expect(GET_ANGLES).await;
+        board.send(GET_ANGLES, &[0; 18]).await;
+    });
+    angles.unwrap();
+    let seen = notes.0.lock().unwrap().clone();
+    assert_eq!(seen, ["request", "command=\"CMD_GET_ANGLES\"", "outcome=18 bytes"]);
+}

@@ -13,6 +13,7 @@ use sbgc_proto::units::FirmwareVersion;
 use sbgc_proto::wire::PerAxis;
 use tokio::task::AbortHandle;
 use tokio::time::{Instant, MissedTickBehavior};
+use tracing::Instrument;
 
 use super::Claim;
 use super::setpoint::{Command, Setpoint, adapted};
@@ -175,7 +176,8 @@ impl ControlSession {
         let state = Mutex::default();
         let inner = Arc::new(Inner { gimbal: gimbal.clone(), options, firmware, state });
         // From here on whatever happens disarms the time-out: it would end moves of others that are left to the board.
-        let repeater = tokio::spawn(repeat(Arc::clone(&inner))).abort_handle();
+        let repeating = repeat(Arc::clone(&inner)).instrument(tracing::debug_span!("control session"));
+        let repeater = tokio::spawn(repeating).abort_handle();
         let session = Self { inner, repeater, _claim: claim };
         if firmware >= TIMEOUT_SINCE {
             session.inner.confirm_config(&options.config(firmware)).await?;

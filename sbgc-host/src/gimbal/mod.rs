@@ -28,6 +28,7 @@ use sbgc_proto::{CommandId, Direction, EncodeError, Expected, Message, Request, 
 use tokio::io::{AsyncRead, AsyncWrite};
 use tokio::sync::{oneshot, watch};
 use tokio::time::timeout;
+use tracing::{Instrument, field};
 
 pub use answer::Answer;
 pub use found::Found;
@@ -237,10 +238,19 @@ impl Gimbal {
     }
 
     async fn ask_for(&self, command: CommandId, call: Call) -> Result<Bytes> {
-        let (reply, outcome) = oneshot::channel();
-        self.link().call(|machine, now| machine.request(now, call, reply));
-        let outcome = outcome.await.map_err(|_| self.gone())?;
-        outcome.map_err(|failure| explain(command, failure))
+        let span = tracing::debug_span!("request", command = name_of(command), outcome = field::Empty);
+        let asked = async {
+            let (reply, outcome) = oneshot::channel();
+            self.link().call(|machine, now| machine.request(now, call, reply));
+            let outcome = outcome.await.map_err(|_| self.gone())?;
+            outcome.map_err(|failure| explain(command, failure))
+        };
+        let outcome = asked.instrument(span.clone()).await;
+        match &outcome {
+            Ok(answer) => span.record("outcome", field::display(format_args!("{} bytes", answer.len()))),
+            Err(error) => span.record("outcome", field::display(error)),
+        };
+        outcome
     }
 
     /// Sends payload bytes as a command; see [`send`](Self::send).

@@ -8,6 +8,7 @@ use std::sync::Once;
 use clap::Args;
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, register_font};
 use sbgc_host::capture::{Format, Interpreter, Item, Reader};
 use sbgc_proto::reflect::{Leaf, Meaning, Raw};
@@ -79,6 +80,11 @@ struct Track {
 const CURVES: usize = 9;
 /// Panels in one picture.
 const PANELS: usize = 6;
+
+/// Font of the names of curves.
+const LEGEND: (&str, i32) = ("sans-serif", 14);
+/// Length of the line before a name.
+const MARK: i32 = 18;
 
 const TIME: &str = "timestamp_ms";
 
@@ -289,40 +295,50 @@ fn draw_all<B: DrawingBackend>(
     let area = area.titled(&title, ("sans-serif", 20))?;
     let times = || panels.iter().flatten().flat_map(|curve| curve.points.iter().map(|point| point.0));
     let (begin, end) = range(times(), 0.0);
-    for (panel, area) in panels.iter().zip(area.split_evenly((panels.len(), 1))) {
+    let names = || panels.iter().flatten().map(|curve| curve.path.as_str());
+    let mut widest = 0;
+    for name in names() {
+        let (width, _) = area.estimate_text_size(name, &TextStyle::from(LEGEND))?;
+        widest = widest.max(i32::try_from(width).unwrap_or_default());
+    }
+    let (width, _) = area.dim_in_pixel();
+    let width = i32::try_from(width).unwrap_or(i32::MAX);
+    // Beside the curves, so that it hides none; in a narrow picture long names are cut off.
+    let legend = (widest + MARK + 24).min(width / 2);
+    let last = panels.len().saturating_sub(1);
+    for ((index, panel), area) in panels.iter().enumerate().zip(area.split_evenly((panels.len(), 1))) {
+        let (area, beside) = area.split_horizontally(width - legend);
         let unit = panel.first().map_or("", |curve| curve.unit);
         let values = panel.iter().flat_map(|curve| curve.points.iter().map(|point| point.1));
         let (low, high) = range(values, 0.05);
+        let (_, height) = area.dim_in_pixel();
         let mut chart = ChartBuilder::on(&area)
             .margin(10)
-            .x_label_area_size(36)
+            .x_label_area_size(if index == last { 36 } else { 18 })
             .y_label_area_size(64)
             .build_cartesian_2d(begin..end, low..high)?;
-        chart
-            .configure_mesh()
-            .label_style(("sans-serif", 14))
+        let mut mesh = chart.configure_mesh();
+        mesh.label_style(("sans-serif", 14))
             .axis_desc_style(("sans-serif", 15))
-            .x_desc(over)
+            .y_labels(usize::try_from(height / 30).unwrap_or_default().clamp(2, 10))
             .y_desc(if unit.is_empty() { "value" } else { unit })
             .light_line_style(WHITE)
-            .bold_line_style(RGBColor(225, 225, 225))
-            .draw()?;
-        for (curve, number) in panel.iter().zip(0..) {
+            .bold_line_style(RGBColor(225, 225, 225));
+        if index == last {
+            mesh.x_desc(over);
+        }
+        mesh.draw()?;
+        let rows = i32::try_from(panel.len()).unwrap_or(i32::MAX).max(1);
+        let pitch = ((i32::try_from(height).unwrap_or(i32::MAX) - 10) / rows).clamp(1, 18);
+        for ((curve, number), row) in panel.iter().zip(0..).zip(0..) {
             let color = COLORS[number % COLORS.len()];
             let style = color.stroke_width(if number < COLORS.len() { 2 } else { 1 });
-            let points = curve.points.iter().copied();
-            chart
-                .draw_series(LineSeries::new(points, style))?
-                .label(curve.path.as_str())
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 18, y)], style));
+            chart.draw_series(LineSeries::new(curve.points.iter().copied(), style))?;
+            let y = 16 + pitch * row;
+            beside.draw(&PathElement::new([(4, y), (4 + MARK, y)], style))?;
+            let left = TextStyle::from(LEGEND).pos(Pos::new(HPos::Left, VPos::Center));
+            beside.draw(&Text::new(curve.path.as_str(), (MARK + 10, y), left))?;
         }
-        chart
-            .configure_series_labels()
-            .position(SeriesLabelPosition::UpperRight)
-            .label_font(("sans-serif", 14))
-            .background_style(WHITE.mix(0.85))
-            .border_style(RGBColor(200, 200, 200))
-            .draw()?;
     }
     area.present()
 }

@@ -203,7 +203,8 @@ fn end(error: &clap::Error, json: bool, words: &[OsString]) -> ExitCode {
                 text.strip_prefix("error: ").unwrap_or(text).trim()
             };
             let message = text::escape_lines(message);
-            talk::say(json!({"error": {"kind": "usage", "message": message, "code": 2}}));
+            let error = json!({"error": {"kind": "usage", "message": message, "code": 2}});
+            talk::say(text::json(&error));
             ExitCode::from(2)
         }
         _ => {

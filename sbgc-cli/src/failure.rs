@@ -73,9 +73,8 @@ impl Failure {
             Failure::Signal(_) if !json => {}
             Failure::Differs | Failure::Found(_) => {}
             _ if json => {
-                talk::say(
-                    json!({"error": {"kind": self.kind(), "message": self.to_string(), "code": self.code()}}),
-                );
+                let (kind, message, code) = (self.kind(), self.to_string(), self.code());
+                talk::say(text::json(&json!({"error": {"kind": kind, "message": message, "code": code}})));
             }
             _ => {
                 talk::say(format_args!("sbgc: {}", text::escape_lines(&self.to_string())));

@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use serde::Serialize as _;
 
-use crate::output::ForTerminals;
+use crate::text::ForTerminals;
 
 /// Bytes of UTF-8 that grow at the end and are used again.
 #[derive(Debug, Default)]

@@ -7,7 +7,7 @@ use serde::Serialize as _;
 use serde_json::{Map, Value, json};
 
 use crate::options::Global;
-use crate::text;
+use crate::text::ForTerminals;
 
 /// Where results go.
 #[derive(Debug)]
@@ -124,40 +124,5 @@ impl Output {
     /// Lets what was printed be seen.
     pub(crate) fn flush(&mut self) -> io::Result<()> {
         self.out.flush()
-    }
-}
-
-/// Compact JSON in which nothing is left that a terminal would obey.
-pub(crate) struct ForTerminals;
-
-impl serde_json::ser::Formatter for ForTerminals {
-    fn write_string_fragment<W: ?Sized + Write>(&mut self, writer: &mut W, fragment: &str) -> io::Result<()> {
-        if fragment.is_ascii() && !fragment.contains('\u{7F}') {
-            return writer.write_all(fragment.as_bytes());
-        }
-        for character in fragment.chars() {
-            if text::is_obeyed(character) {
-                // All of these are below U+10000.
-                write!(writer, "\\u{:04x}", u32::from(character))?;
-            } else {
-                write!(writer, "{character}")?;
-            }
-        }
-        Ok(())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn json_holds_nothing_that_a_terminal_obeys() {
-        let value = json!({"name": "a\u{1B}b\u{9B}c\u{7F}d\u{202E}é"});
-        let mut bytes = Vec::new();
-        value.serialize(&mut serde_json::Serializer::with_formatter(&mut bytes, ForTerminals)).unwrap();
-        let text = String::from_utf8(bytes).unwrap();
-        assert_eq!(text, "{\"name\":\"a\\u001bb\\u009bc\\u007fd\\u202eé\"}");
-        assert_eq!(serde_json::from_str::<Value>(&text).unwrap(), value);
     }
 }

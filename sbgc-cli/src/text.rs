@@ -2,6 +2,9 @@
 
 use std::borrow::Cow;
 use std::fmt::Write as _;
+use std::io;
+
+use serde::Serialize as _;
 
 /// Text that came from a board or a file, without anything that a terminal would obey.
 ///
@@ -31,6 +34,38 @@ pub(crate) fn escape_lines(text: &str) -> String {
 pub(crate) fn is_obeyed(character: char) -> bool {
     character.is_control()
         || matches!(character, '\u{200E}' | '\u{200F}' | '\u{2028}'..='\u{202E}' | '\u{2066}'..='\u{2069}')
+}
+
+/// Compact JSON in which nothing is left that a terminal would obey.
+pub(crate) struct ForTerminals;
+
+impl serde_json::ser::Formatter for ForTerminals {
+    fn write_string_fragment<W: ?Sized + io::Write>(
+        &mut self,
+        writer: &mut W,
+        fragment: &str,
+    ) -> io::Result<()> {
+        if fragment.is_ascii() && !fragment.contains('\u{7F}') {
+            return writer.write_all(fragment.as_bytes());
+        }
+        for character in fragment.chars() {
+            if is_obeyed(character) {
+                // All of these are below U+10000.
+                write!(writer, "\\u{:04x}", u32::from(character))?;
+            } else {
+                write!(writer, "{character}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// JSON on one line, without anything that a terminal would obey.
+pub(crate) fn json(value: &serde_json::Value) -> String {
+    let mut bytes = Vec::new();
+    // A vector takes everything.
+    let _ = value.serialize(&mut serde_json::Serializer::with_formatter(&mut bytes, ForTerminals));
+    String::from_utf8(bytes).unwrap_or_default()
 }
 
 /// The names that resemble `name` most, best first, at most three.
@@ -130,5 +165,13 @@ mod tests {
     fn lines_are_broken_at_spaces() {
         assert_eq!(wrap("one two three", 7), ["one two", "three"]);
         assert_eq!(wrap("unbreakable", 3), ["unbreakable"]);
+    }
+
+    #[test]
+    fn json_holds_nothing_that_a_terminal_obeys() {
+        let value = serde_json::json!({"name": "a\u{1B}b\u{9B}c\u{7F}d\u{202E}é"});
+        let text = json(&value);
+        assert_eq!(text, "{\"name\":\"a\\u001bb\\u009bc\\u007fd\\u202eé\"}");
+        assert_eq!(serde_json::from_str::<serde_json::Value>(&text).unwrap(), value);
     }
 }

@@ -175,3 +175,22 @@ fn devices_are_not_read_for_ever() {
         assert_eq!(output.status.code(), Some(code), "{arguments:?}: {}", stderr(&output));
     }
 }
+
+/// Not even where a program was asked to read it: it may be shown all the same.
+#[test]
+fn errors_hold_nothing_that_a_terminal_obeys() {
+    for arguments in [
+        &["--json", "--port", "/dev/\u{202E}\u{9B}x", "info"][..],
+        &["--port", "/dev/\u{202E}\u{9B}x", "info"],
+        &["--json", "encode", "READ_PARAMS", "profile_id=\u{2028}\u{1B}[31m"],
+        &["--json", "info", "\u{202E}\u{9B}"],
+        &["info", "\u{202E}\u{9B}"],
+    ] {
+        let output = run(arguments);
+        let message = stderr(&output);
+        let obeyed =
+            |found: char| found != '\n' && (found.is_control() || "\u{2028}\u{202E}".contains(found));
+        assert!(!message.contains(obeyed), "{arguments:?}: {message:?}");
+        assert!(matches!(output.status.code(), Some(1 | 2)));
+    }
+}

@@ -40,104 +40,40 @@
 
 mod call;
 mod counters;
+mod incoming;
+mod life;
 mod load;
 mod outbox;
+mod outgoing;
 mod pacer;
 mod queue;
 mod registrations;
 mod samples;
 mod session;
+mod setup;
+mod shown;
 
-use std::fmt;
 use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::frame::{Decoder, Event, Frame, Version, Versions};
-use sbgc_proto::{CommandId, Direction, Expected};
+use sbgc_proto::frame::{Decoder, Version, Versions};
 
 pub use call::{Call, Failure, Priority, Waiter};
 pub use counters::LinkCounters;
 pub use queue::{Interruption, Payload, Queue, Sample};
 pub use registrations::{MAX_STREAMS, StreamCall};
 pub use samples::Shape;
+pub use setup::{Identity, LinkState, Setup, Trouble};
 
 use load::Load;
-use outbox::{Batch, Kind, Setpoints};
+use outbox::{Batch, Setpoints};
 use pacer::Pacer;
-use registrations::{Registrations, StreamChange, Told};
-use session::{Session, Verdict};
+use registrations::{Registrations, Told};
+use session::Session;
 
 /// How many commands that nobody waits for may wait to be sent.
 pub const HIGH_WATER: usize = 32;
-
-/// How long what is left to be sent may take when the link ends, at least.
-const FLUSH: Duration = Duration::from_secs(1);
-
-/// The same at most, on a link with much latency.
-const LONGEST_FLUSH: Duration = Duration::from_secs(5);
-
-/// While the board hangs, so many bytes of its input buffer are kept for what is urgent,
-const KEPT_FOR_URGENT: usize = 32;
-
-/// and so many for that and for set-points.
-const KEPT_FOR_MOTION: usize = 64;
-
-/// Whether the port is there.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum LinkState {
-    /// It is.
-    Open,
-    /// It went away or fell silent, and is being opened again. Requests fail at once meanwhile.
-    Reconnecting,
-    /// It went away for good.
-    Lost,
-    /// After it was opened again, another board answered than before. It is left alone.
-    Replaced,
-    /// It was closed from this side.
-    Closed,
-}
-
-/// How a machine is set up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Setup {
-    /// The version in which frames go out at first.
-    pub version: Version,
-    /// Bits per second of the serial line; `None` where that is unknown or there is none.
-    pub baud: Option<u32>,
-    /// How long the bytes of one frame may stop coming before it is given up.
-    pub gap: Duration,
-    /// How long an attempt to register a stream may take.
-    pub timeout: Duration,
-    /// How often a stream is registered before that has failed.
-    pub attempts: u32,
-}
-
-impl Default for Setup {
-    fn default() -> Self {
-        let (gap, timeout) = (Duration::from_millis(100), Duration::from_millis(500));
-        Self { version: Version::V2, baud: None, gap, timeout, attempts: 3 }
-    }
-}
-
-/// What tells one board from another: the front of the answer to a request.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Identity {
-    /// The request, which has no payload and is answered under its own id.
-    pub command: u8,
-    /// The front of the answer; empty for a board that has no identity.
-    pub front: Bytes,
-}
-
-/// Why the port has to be closed and opened again, or left alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Trouble {
-    /// The board does not answer.
-    Silent,
-    /// Another board answers.
-    Replaced,
-}
 
 /// Who waits for an answer.
 #[derive(Debug)]
@@ -346,375 +282,10 @@ impl<W: Waiter> Machine<W> {
         self.listeners.retain(|listener| listener.number != number);
         self.registrations.leave(number);
     }
-
-    /// Ends the link: nothing new is taken and nobody waits any more; what was to be sent is sent, streams are
-    /// unregistered. [`is_done`](Self::is_done) tells when.
-    pub fn close(&mut self, now: Duration) {
-        if self.is_over() || self.ending.is_some() {
-            return;
-        }
-        let flush = self.session.known_latency().saturating_mul(4).clamp(FLUSH, LONGEST_FLUSH);
-        self.ending = Some(now.saturating_add(flush));
-        for waiting in self.session.dismiss() {
-            self.settle(now, waiting, Err(Failure::Closed));
-        }
-        let waiting = self.registrations.clear();
-        tell(waiting.into_iter().map(|waiter| (waiter, Err(Failure::Closed))).collect());
-    }
-
-    /// Whether the link was closed and nothing is left to be done on the port.
-    pub fn is_done(&self, now: Duration) -> bool {
-        let idle = self.batch.is_empty()
-            && self.session.queued() == 0
-            && self.setpoints.is_empty()
-            && self.registrations.is_empty()
-            && !self.session.is_waiting();
-        self.ending.is_some_and(|until| idle || now >= until || self.state == LinkState::Reconnecting)
-    }
-
-    /// Whether the link was closed from this side.
-    pub const fn is_ending(&self) -> bool {
-        self.ending.is_some()
-    }
-
-    const fn is_over(&self) -> bool {
-        !matches!(self.state, LinkState::Open | LinkState::Reconnecting)
-    }
-
-    /// Keeps who the board is, so that the link can go on with the same one after it was lost.
-    pub fn set_identity(&mut self, identity: Identity) {
-        self.identity = Some(identity);
-    }
-
-    /// Whether the link can go on after the port was lost.
-    pub fn can_go_on(&self) -> bool {
-        self.identity.is_some() && self.ending.is_none() && self.trouble != Some(Trouble::Replaced)
-    }
-
-    /// The port is gone, and is going to be opened again. What came before that still counts.
-    pub fn down(&mut self, now: Duration) {
-        self.end_candidates(now);
-        if self.is_over() {
-            return;
-        }
-        self.state = LinkState::Reconnecting;
-        self.trouble = None;
-        self.release(&Failure::Disconnected);
-        self.registrations.on_interruption(now, Interruption::Lost);
-    }
-
-    /// The port is open again. Nothing goes on before the board has told who it is.
-    pub fn up(&mut self, now: Duration) {
-        self.pacer = Pacer::new(self.setup.baud, now);
-        self.load = Load::new(self.setup.baud);
-        let Some(Identity { command, .. }) = self.identity else { return };
-        let (timeout, attempts) = (self.setup.timeout, self.setup.attempts);
-        let (expected, priority) = (Expected::any(command.into()), Priority::Normal);
-        let payload = Bytes::new();
-        let call = Call { command, payload, expected, shape: None, timeout, attempts, priority, probe: None };
-        self.session.request(now, call, Who::Identity);
-    }
-
-    /// Why the port is to be given back, if it is.
-    pub const fn trouble(&self) -> Option<Trouble> {
-        self.trouble
-    }
-
-    fn identified(&mut self, now: Duration, outcome: Result<Bytes, Failure>) {
-        let front = self.identity.as_ref().map(|identity| identity.front.clone()).unwrap_or_default();
-        self.trouble = match outcome {
-            Ok(answer) if answer.starts_with(&front) => {
-                self.state = LinkState::Open;
-                self.registrations.on_interruption(now, Interruption::Lost);
-                None
-            }
-            Ok(_) => Some(Trouble::Replaced),
-            Err(_) => Some(Trouble::Silent),
-        };
-    }
-
-    /// The port was given back after [`close`](Self::close).
-    pub fn closed_port(&mut self) {
-        self.end(LinkState::Closed, &Failure::Closed);
-    }
-
-    /// The port is gone. What came before that still counts.
-    pub fn lost(&mut self, now: Duration) {
-        self.end_candidates(now);
-        let replaced = self.trouble == Some(Trouble::Replaced);
-        let state = if replaced { LinkState::Replaced } else { LinkState::Lost };
-        self.end(state, &Failure::Disconnected);
-    }
-
-    fn end(&mut self, state: LinkState, failure: &Failure) {
-        if self.is_over() {
-            return;
-        }
-        // Before anybody learns that an answer will not come.
-        self.state = state;
-        self.release(failure);
-        let waiting = self.registrations.on_lost();
-        tell(waiting.into_iter().map(|waiter| (waiter, Err(failure.clone()))).collect());
-        self.listeners.drain(..).for_each(|listener| listener.queue.end());
-    }
-
-    /// Nothing is on its way any more.
-    fn release(&mut self, failure: &Failure) {
-        self.setpoints.clear();
-        self.batch.clear();
-        for waiting in self.session.on_disconnect() {
-            if let Who::Caller(waiter) | Who::Probe(waiter) = waiting {
-                waiter.tell(Err(failure.clone()));
-            }
-        }
-    }
-
-    fn check_open(&self) -> Result<(), Failure> {
-        match self.state {
-            LinkState::Open if self.ending.is_none() => Ok(()),
-            LinkState::Open | LinkState::Closed => Err(Failure::Closed),
-            _ => Err(Failure::Disconnected),
-        }
-    }
-
-    /// Bytes came.
-    pub fn receive(&mut self, now: Duration, bytes: &[u8]) {
-        self.last_read = now;
-        self.decode(now, bytes);
-    }
-
-    fn decode(&mut self, now: Duration, mut bytes: &[u8]) {
-        // The decoder lends its frames, so it is taken out while they are handed on.
-        let mut decoder = std::mem::take(&mut self.decoder);
-        while let Some(event) = decoder.next(&mut bytes) {
-            match event {
-                Event::Frame { frame, .. } => self.on_frame(now, frame),
-                Event::Skipped(skipped) => {
-                    tracing::debug!("skipped {} bytes: {}", skipped.length, skipped.cause);
-                }
-            }
-        }
-        self.decoder = decoder;
-    }
-
-    /// Gives up all frames whose bytes have stopped coming.
-    fn end_candidates(&mut self, now: Duration) {
-        while self.decoder.skip_candidate().is_some() {
-            self.decode(now, &[]);
-        }
-    }
-
-    fn on_frame(&mut self, now: Duration, frame: Frame<'_>) {
-        tracing::debug!("received {}", Shown(Direction::Incoming, frame.version, frame.id, frame.payload));
-        if frame.id == CommandId::Reset.raw() {
-            tracing::warn!("the board is being reset");
-            self.registrations.on_reset(now);
-        }
-        let verdict = self.session.on_frame(now, frame.id, frame.payload);
-        if let Some(number) = self.session.take_answered() {
-            self.load.answered(now, number, !self.registrations.is_empty());
-        }
-        // Subscribers get it, too, whether or not it is an answer, and before the one who waits for that goes on.
-        let taken = self.publish(now, frame, &verdict);
-        match verdict {
-            Verdict::Answer(waiting, outcome) => {
-                if matches!(waiting, Who::Probe(_)) {
-                    self.version = frame.version;
-                }
-                self.settle(now, waiting, outcome);
-            }
-            Verdict::Late => self.counters.late += 1,
-            Verdict::Unsolicited => self.counters.unsolicited += u64::from(!taken),
-            Verdict::Unawaited => {}
-        }
-    }
-
-    /// Hands a frame to all who listen. Returns whether there was anybody.
-    fn publish(&mut self, now: Duration, frame: Frame<'_>, verdict: &Verdict<Who<W>>) -> bool {
-        let Frame { id: command, payload, .. } = frame;
-        let answers = !matches!(verdict, Verdict::Unsolicited);
-        let sampled = self.registrations.on_frame(now, command, payload, answers);
-        let stray = sampled.is_none() && matches!(verdict, Verdict::Unsolicited | Verdict::Unawaited);
-        let hears = |listener: &&Listener| listener.command.map_or(stray, |wanted| wanted == command);
-        let mut lost = sampled.unwrap_or_default();
-        let mut taken = sampled.is_some();
-        for listener in self.listeners.iter().filter(hears) {
-            taken = true;
-            lost += u64::from(listener.queue.push(command, payload));
-        }
-        self.counters.lost_samples += lost;
-        taken
-    }
-
-    fn settle(&mut self, now: Duration, waiting: Who<W>, outcome: Result<Bytes, Failure>) {
-        match waiting {
-            Who::Caller(waiter) | Who::Probe(waiter) => waiter.tell(outcome),
-            Who::Identity => self.identified(now, outcome),
-            Who::Stream { number, stop } => {
-                tell(self.registrations.settle(now, number, stop, outcome.map(drop)));
-            }
-        }
-    }
-
-    /// Does what is to be done at this time.
-    fn advance(&mut self, now: Duration) {
-        while let Some(expired) = self.session.on_deadline(now) {
-            if self.batch.withdraw(expired.number) {
-                self.session.withdrawn(expired.number);
-            }
-            if let Some(waiter) = expired.waiter {
-                self.settle(now, waiter, Err(expired.failure));
-            }
-        }
-        if self.decoder.pending() > 0 && now >= self.last_read.saturating_add(self.setup.gap) {
-            self.end_candidates(now);
-        }
-        if self.state != LinkState::Open {
-            return;
-        }
-        self.registrations.check(now, self.session.latency());
-        while let Some(StreamChange { number, payload, stop, overtakes }) =
-            self.registrations.next_request(now)
-        {
-            let command = CommandId::DataStreamInterval.raw();
-            let (timeout, attempts) = (self.setup.timeout, self.setup.attempts.max(1));
-            // Confirmations of two of them have the same bytes, so each waits for the other. What takes a start back
-            // follows that at once, and at the end there is no time to wait.
-            let hurried = overtakes || (stop && self.is_ending());
-            let priority = if hurried { Priority::Ordered } else { Priority::Serial };
-            // Asking twice for a stream updates it, so this may be repeated.
-            let call = Call {
-                command,
-                payload,
-                expected: Expected::confirmation(CommandId::DataStreamInterval),
-                shape: None,
-                timeout,
-                attempts,
-                priority,
-                probe: None,
-            };
-            self.session.request(now, call, Who::Stream { number, stop });
-        }
-    }
-
-    /// Does what is to be done at this time, and returns the bytes that may go out now.
-    ///
-    /// They may be others the next time: what the port has not taken is put together anew, so that it is the newest.
-    pub fn pending(&mut self, now: Duration) -> &[u8] {
-        self.advance(now);
-        // The rest of a batch that the port had begun with may have been taken back.
-        if let Some(length) = self.batch.finish() {
-            self.pacer.end(now, length);
-        }
-        self.held_up = false;
-        if now >= self.pacer.not_before() {
-            let begins = self.batch.is_empty();
-            self.fill(now);
-            if begins && !self.batch.is_empty() {
-                self.pacer.begin(now);
-            }
-        }
-        self.batch.pending()
-    }
-
-    fn fill(&mut self, now: Duration) {
-        let (version, in_use) = (self.version, self.load.in_use(now));
-        loop {
-            let room =
-                |batch: &Batch, kept: usize| batch.room(version, if in_use > 0 { in_use + kept } else { 0 });
-            let (outgoing, kind) = if let Some(urgent) =
-                room(&self.batch, 0).and_then(|room| self.session.next_urgent(now, room))
-            {
-                (urgent, Kind::Urgent)
-            } else if let Some((command, payload)) =
-                room(&self.batch, KEPT_FOR_URGENT).and_then(|room| self.setpoints.take(room))
-            {
-                let number = self.session.sent_unawaited(now, command);
-                (session::Outgoing { number, command, payload, version: None }, Kind::Setpoint(command))
-            } else if let Some(outgoing) =
-                room(&self.batch, KEPT_FOR_MOTION).and_then(|room| self.session.next_to_send(now, room))
-            {
-                (outgoing, Kind::Other)
-            } else {
-                self.held_up = in_use > 0;
-                break;
-            };
-            let session::Outgoing { number, command, payload, version: other } = outgoing;
-            let version = other.unwrap_or(version);
-            match self.batch.add(version, number, (command, &payload), kind) {
-                Ok(()) => {
-                    tracing::debug!("sent {}", Shown(Direction::Outgoing, version, command, &payload));
-                    self.counters.sent_frames += 1;
-                }
-                // The handle has checked both id and length.
-                Err(error) => tracing::error!(%error, command, "a frame cannot be sent"),
-            }
-        }
-    }
-
-    /// The port took so many of the [`pending`](Self::pending) bytes.
-    pub fn written(&mut self, now: Duration, count: usize) {
-        self.counters.sent_bytes += count as u64;
-        self.batch.take(count);
-        while let Some((number, length)) = self.batch.next_written() {
-            let answers = self.session.written(now, number);
-            self.load.written(now, number, length, answers, !self.registrations.is_empty());
-        }
-        if let Some(length) = self.batch.finish() {
-            self.pacer.end(now, length);
-        }
-    }
-
-    /// When something is to be done even if nothing happens; to be asked after [`pending`](Self::pending).
-    pub fn next_wake(&self, now: Duration) -> Option<Duration> {
-        if self.is_over() {
-            return None;
-        }
-        let gap = (self.decoder.pending() > 0).then(|| self.last_read.saturating_add(self.setup.gap));
-        let wants = self.batch.is_empty() && (self.session.wants_to_send(now) || !self.setpoints.is_empty());
-        let room = self.load.next_release(now).filter(|_| self.held_up);
-        let send = wants.then(|| self.pacer.not_before().max(room.unwrap_or_default()));
-        let streams = (self.state == LinkState::Open)
-            .then(|| self.registrations.next_wake(now, self.session.latency()))
-            .flatten();
-        [self.session.next_deadline(now), gap, send, streams, self.ending].into_iter().flatten().min()
-    }
 }
 
 fn tell<W: Waiter>(told: Told<W>) {
     for (waiter, outcome) in told {
         waiter.tell(outcome);
-    }
-}
-
-/// A frame as the log shows it: its name, and its payload in hex.
-struct Shown<'a>(Direction, Version, u8, &'a [u8]);
-
-impl fmt::Display for Shown<'_> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self(direction, version, id, payload) = *self;
-        let name = CommandId::from_raw(id).spec_name(direction).unwrap_or("unknown command");
-        let bytes = if payload.len() == 1 { "byte" } else { "bytes" };
-        write!(f, "{name} ({id}), version {}, {} {bytes}", version.number(), payload.len())?;
-        if !payload.is_empty() {
-            f.write_str(": ")?;
-        }
-        payload.iter().try_for_each(|byte| write!(f, "{byte:02x}"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn frames_are_shown_with_name_and_payload() {
-        let shown = |direction, id, payload: &[u8]| Shown(direction, Version::V2, id, payload).to_string();
-        assert_eq!(shown(Direction::Outgoing, 86, &[]), "CMD_BOARD_INFO (86), version 2, 0 bytes");
-        assert_eq!(
-            shown(Direction::Incoming, 67, &[0x5D, 0xFF]),
-            "CMD_CONFIRM (67), version 2, 2 bytes: 5dff"
-        );
-        assert_eq!(shown(Direction::Incoming, 200, &[1]), "unknown command (200), version 2, 1 byte: 01");
     }
 }

@@ -4,35 +4,21 @@
 //! more is unregistered. What subscribers want and what the board is known to do are kept apart: a request is made
 //! whenever they differ, one at a time for each stream, until the board has confirmed it.
 
+mod registration;
+
 use std::sync::Arc;
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::commands::{DataStreamInterval, StreamConfig, Switch};
-use sbgc_proto::units::StreamInterval;
-use sbgc_proto::{CommandId, Message};
 
 use super::call::Failure;
 use super::queue::{Interruption, Queue};
 use super::samples::Shape;
+pub use registration::StreamCall;
+use registration::{Asked, OnBoard, ROUNDS, Registration, User, request};
 
 /// How many streams a board registers, over all its ports.
 pub const MAX_STREAMS: usize = 10;
-
-/// After this many requests without an answer nobody is left to unregister a stream at.
-const ROUNDS: u32 = 8;
-
-/// Time to the first repetition of a request that was not confirmed; it doubles each time.
-const BACK_OFF: Duration = Duration::from_millis(500);
-
-/// The longest time to the next repetition.
-const LONGEST_BACK_OFF: Duration = Duration::from_secs(5);
-
-/// After so many intervals without a sample a stream has fallen silent.
-const SILENT_INTERVALS: u32 = 3;
-
-/// The shortest time that counts as silence.
-const SHORTEST_SILENCE: Duration = Duration::from_millis(250);
 
 /// How long after its notice a board is reset, as a rule, and some time for its start.
 const RESET: Duration = Duration::from_millis(1500);
@@ -40,97 +26,6 @@ const RESET: Duration = Duration::from_millis(1500);
 /// How long after a notice of a reset streams that are not periodic are registered once more, for nothing else would
 /// show that the reset came later.
 const LATE_RESET: Duration = Duration::from_secs(15);
-
-/// A data stream that is wanted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct StreamCall {
-    /// The message and what distinguishes its samples.
-    pub shape: Shape,
-    /// Time between two messages, in milliseconds; at least 1.
-    pub interval_ms: u16,
-    /// Whether the interval counts samples of the IMU attitude instead.
-    pub synced: bool,
-    /// How many samples wait for the subscriber before the oldest is lost.
-    pub capacity: usize,
-}
-
-impl StreamCall {
-    /// Whether samples come at each interval, so that their absence tells something.
-    fn is_periodic(&self) -> bool {
-        self.shape.is_periodic()
-    }
-
-    /// How long samples may fail to come.
-    fn silence(&self, latency: Duration) -> Duration {
-        let interval = Duration::from_millis(self.interval_ms.into());
-        let allowed = interval.saturating_mul(SILENT_INTERVALS).max(SHORTEST_SILENCE);
-        allowed.saturating_add(latency.saturating_mul(2))
-    }
-}
-
-/// What the board is known to do.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum OnBoard {
-    Absent,
-    Running,
-    Unknown,
-}
-
-/// What the board is asked to do at present.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Asked {
-    Nothing,
-    Start,
-    Stop,
-}
-
-/// Who gets the samples.
-#[derive(Debug)]
-struct User {
-    number: u64,
-    queue: Arc<Queue>,
-}
-
-#[derive(Debug)]
-struct Registration<W> {
-    number: u64,
-    call: StreamCall,
-    users: Vec<User>,
-    /// Who waits for the confirmation.
-    waiting: Vec<W>,
-    on_board: OnBoard,
-    asked: Asked,
-    /// How many requests in a row were not answered.
-    failures: u32,
-    not_before: Duration,
-    /// Whether the board has ever confirmed it.
-    confirmed: bool,
-    last_sample: Duration,
-    /// Since when the subscribers know that no samples come.
-    interrupted: Option<Duration>,
-    /// When it is registered once more, whether or not it seems to run.
-    renew_at: Option<Duration>,
-}
-
-impl<W> Registration<W> {
-    fn interrupt(&mut self, now: Duration, interruption: Interruption) {
-        if self.interrupted.is_none() && self.confirmed {
-            self.interrupted = Some(now);
-            self.users.iter().for_each(|user| user.queue.interrupted(interruption));
-        }
-    }
-
-    fn back_off(&mut self, now: Duration) {
-        let exponent = self.failures.min(ROUNDS);
-        self.failures = self.failures.saturating_add(1);
-        let pause = BACK_OFF.saturating_mul(1 << exponent).min(LONGEST_BACK_OFF);
-        self.not_before = now.saturating_add(pause);
-    }
-
-    fn end(&mut self) {
-        self.users.drain(..).for_each(|user| user.queue.end());
-    }
-}
 
 /// All of them. `W` is who waits for a stream to be confirmed.
 #[derive(Debug)]
@@ -440,19 +335,4 @@ impl<W> Registrations<W> {
 
 fn tell<W>(waiting: &mut Vec<W>, outcome: &Result<Bytes, Failure>) -> Told<W> {
     waiting.drain(..).map(|waiter| (waiter, outcome.clone())).collect()
-}
-
-/// The payload that registers a stream; with interval 0 the one that ends it.
-fn request(call: &StreamCall, interval_ms: u16) -> Bytes {
-    let message = DataStreamInterval {
-        cmd_id: CommandId::from_raw(call.shape.command),
-        interval_ms: StreamInterval(interval_ms),
-        config: StreamConfig(call.shape.config.into()),
-        sync_to_data: if call.synced { Switch::On } else { Switch::Off },
-        ..DataStreamInterval::default()
-    };
-    let mut buffer = [0; 32];
-    let payload = message.encode(&mut buffer);
-    debug_assert!(payload.is_ok(), "a message of fixed size fits");
-    Bytes::copy_from_slice(payload.unwrap_or_default())
 }

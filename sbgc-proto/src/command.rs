@@ -60,7 +60,7 @@ macro_rules! declare_direction {
         }
 
         impl<'a> $enum<'a> {
-            /// Direction of all of these.
+            /// Direction of all messages in this enumeration.
             pub const DIRECTION: Direction = Direction::$direction;
 
             /// Decodes the payload of command `id` and returns the bytes that newer firmware has added at the end.
@@ -174,7 +174,7 @@ macro_rules! declare_direction {
 
         #[cfg(feature = "reflect")]
         impl<'a> $enum<'a> {
-            /// All messages of this direction, in the order in which their forms are tried.
+            /// All messages of this direction, with the forms of a command in the order in which they are tried.
             pub const ALL: &'static [crate::MessageInfo] = {
                 // A static has one place in memory, a constant would have one at each use.
                 static ALL: &[crate::MessageInfo] = &[$($(
@@ -253,7 +253,7 @@ macro_rules! declare_direction {
 macro_rules! declare_requests {
     ($($id:tt($($ty:ident $(<$lifetime:lifetime>)?),*))*) => {
         impl RequestInfo {
-            /// What is known of the command with this id and payload; `None` for one that the protocol does not have.
+            /// Returns the facts about the command with this id and payload; `None` if it is unknown.
             pub fn of_payload(command: CommandId, payload: &[u8]) -> Option<Self> {
                 match command.raw() {
                     $($id => {

@@ -34,7 +34,7 @@ macro_rules! with_commands {
             WriteProfileNames = 29, outgoing(WriteProfileNames), incoming();
             /// Payload not published.
             QueueParamsInfo3 = 30, outgoing(QueueParamsInfo3Request<'a>), incoming(QueueParamsInfo3<'a>);
-            /// Changes variables now, without saving to EEPROM.
+            /// Changes adjustable variables immediately, without saving to EEPROM.
             SetAdjVarsVal = 31, outgoing(SetAdjVarsVal), incoming(AdjVarsVal);
             /// Saves adjustable variables to EEPROM.
             SaveParams3 = 32, outgoing(SaveParams3, SaveParams3Extended), incoming();
@@ -72,7 +72,7 @@ macro_rules! with_commands {
             EepromRead = 48, outgoing(EepromReadRequest), incoming(EepromRead<'a>);
             /// Requests the progress and state of the IMU calibration.
             CalibInfo = 49, outgoing(CalibInfoRequest), incoming(CalibInfo);
-            /// Has the board sign 32 bytes with its secret keys.
+            /// Requests a signature of 32 bytes by the secret keys of the board.
             SignMessage = 50, outgoing(SignMessageRequest), incoming(SignMessage);
             /// Enters the bootloader.
             BootMode3 = 51, outgoing(BootMode3, BootMode3Extended), incoming();
@@ -108,7 +108,7 @@ macro_rules! with_commands {
             CalibBat = 66, outgoing(CalibBat), incoming();
             /// Outgoing: moves the gimbal. Incoming, it is `CMD_CONFIRM`, [`Self::CONFIRM`].
             Control = 67, outgoing(ControlLegacy, Control), incoming(Confirm);
-            /// Old request for real-time data, answered by `CMD_REALTIME_DATA_3`.
+            /// Legacy request for real-time data, answered by `CMD_REALTIME_DATA_3`.
             RealtimeData = 68, outgoing(RealtimeDataRequest), incoming();
             /// Runs a menu command.
             ExecuteMenu = 69, outgoing(ExecuteMenuExtended, ExecuteMenu), incoming();
@@ -122,27 +122,27 @@ macro_rules! with_commands {
             GetAngles = 73, outgoing(GetAngles), incoming(Angles);
             /// Payload not published.
             CalibMotorMagLink = 74, outgoing(CalibMotorMagLinkRequest<'a>), incoming(CalibMotorMagLink<'a>);
-            /// Corrects the zero bias of the gyroscope by hand.
+            /// Corrects the zero of the gyroscope manually.
             GyroCorrection = 75, outgoing(GyroCorrection), incoming();
             /// Requests the versions of the connected CAN devices.
             ModuleList = 76, outgoing(ModuleListRequest), incoming(ModuleList);
             /// Turns the motors on.
             MotorsOn = 77, outgoing(MotorsOn), incoming();
-            /// Starts flashing a CAN module.
+            /// Starts a firmware update of a CAN module.
             ModuleFlashStart = 78, outgoing(ModuleFlashStart), incoming();
             /// Calibrates the follow offset at the current position.
             CalibOffset = 79, outgoing(CalibOffset), incoming();
             /// Calibrates the number of motor poles and the direction of the motors; the gimbal moves.
             CalibPoles = 80, outgoing(CalibPoles), incoming();
-            /// Writes a piece of module firmware.
+            /// Writes one packet of module firmware.
             ModuleFlashWrite = 81, outgoing(ModuleFlashWrite<'a>), incoming();
             /// Legacy request for the parameters of one profile.
             ReadParams = 82, outgoing(ReadParams), incoming(Params<'a>);
-            /// Ends flashing a CAN module.
+            /// Finishes a firmware update of a CAN module.
             ModuleFlashFinish = 83, outgoing(ModuleFlashFinish), incoming();
-            /// Drives an output pin.
+            /// Sets the state of a pin.
             TriggerPin = 84, outgoing(TriggerPin), incoming();
-            /// Has the board send a message at a fixed rate or on events.
+            /// Registers, changes or stops a data stream.
             DataStreamInterval = 85, outgoing(DataStreamInterval), incoming();
             /// Requests board and firmware version.
             BoardInfo = 86, outgoing(BoardInfoRequest, BoardInfoExtendedRequest<'a>), incoming(BoardInfo);
@@ -152,7 +152,7 @@ macro_rules! with_commands {
             RealtimeDataCustom = 88, outgoing(RealtimeDataCustomRequest), incoming(RealtimeDataCustomView<'a>);
             /// Plays a standard sound or a melody through motors or buzzer.
             BeepSound = 89, outgoing(BeepSound), incoming();
-            /// Sets how CMD_CONTROL is handled: timeout, port priority, filters, confirmation.
+            /// Configures the handling of CMD_CONTROL: timeout, port priorities, filters and confirmations.
             ControlConfig = 90, outgoing(ControlConfig), incoming();
             /// Calibrates the correction of the sensor misalignment.
             CalibOrientCorr = 91, outgoing(CalibOrientCorr), incoming();
@@ -160,7 +160,7 @@ macro_rules! with_commands {
             CoggingCalibInfo = 92, outgoing(CoggingCalibInfoRequest<'a>), incoming(CoggingCalibInfo<'a>);
             /// Calibrates or deletes the correction of motor non-linearity (cogging).
             CalibCogging = 93, outgoing(CalibCogging), incoming();
-            /// Refines the accelerometer calibration of the main IMU from an external reference vector (needs three
+            /// Refines the accelerometer calibration of the main IMU with an external reference (requires three
             /// encoders).
             CalibAccExtRef = 94, outgoing(CalibAccExtRef), incoming();
             /// Saves, clears or loads a whole profile set.
@@ -205,13 +205,13 @@ macro_rules! with_commands {
             Reset = 114, outgoing(ResetRequest, ResetExtendedRequest), incoming(Reset);
             /// Payload not published.
             ImuAdvancedCalib = 115, outgoing(ImuAdvancedCalibRequest<'a>), incoming(ImuAdvancedCalib<'a>);
-            /// Sets the first n API virtual channels with finer steps.
+            /// Sets API virtual channels at high resolution, starting with the first.
             ApiVirtChHighRes = 116, outgoing(ApiVirtChHighRes), incoming();
             /// Payload not published.
             CalibEncoderLut = 117, outgoing(CalibEncoderLutRequest<'a>), incoming(CalibEncoderLut<'a>);
             /// Payload not published.
             CalibEncoderLutRes = 118, outgoing(CalibEncoderLutResRequest<'a>), incoming(CalibEncoderLutRes<'a>);
-            /// Brackets a series of CMD_WRITE_PARAMS_xx: 1 before, 0 after, so the controller restarts once.
+            /// Starts or finishes a series of CMD_WRITE_PARAMS_xx, so that the board restarts only once.
             WriteParamsSet = 119, outgoing(WriteParamsSet), incoming();
             /// Payload not published.
             CalibCurSens = 120, outgoing(CalibCurSensRequest<'a>), incoming(CalibCurSens<'a>);
@@ -219,7 +219,7 @@ macro_rules! with_commands {
             ControlExt = 121, outgoing(ControlExt), incoming();
             /// Payload not published.
             EncIntCalib = 122, outgoing(EncIntCalibRequest<'a>), incoming(EncIntCalib<'a>);
-            /// Aligns motors that work in parallel on one axis.
+            /// Synchronizes motors that work in parallel on one axis.
             SyncMotors = 123, outgoing(SyncMotors), incoming();
             /// Payload not published.
             ExtLicenseInfo = 124, outgoing(ExtLicenseInfoRequest<'a>), incoming(ExtLicenseInfo<'a>);
@@ -241,7 +241,7 @@ macro_rules! with_commands {
             AdjVarsInfo = 132, outgoing(AdjVarsInfoRequest), incoming(AdjVarsInfo<'a>);
             /// Sets the PWM of selected servo outputs, including those of CAN drivers.
             ServoOutExt = 133, outgoing(ServoOutExt), incoming();
-            /// Changes variables now, with values as floats.
+            /// Changes adjustable variables immediately, with float values, without saving to EEPROM.
             SetAdjVarsValF = 134, outgoing(SetAdjVarsValF), incoming(AdjVarsValF);
             /// Requests the current values of variables as floats.
             GetAdjVarsValF = 135, outgoing(GetAdjVarsValF), incoming();
@@ -251,23 +251,23 @@ macro_rules! with_commands {
             PassProtectWrite = 137, outgoing(PassProtectWrite<'a>), incoming();
             /// Requests a second set of real-time data.
             RealtimeDataCustom2 = 139 as "CMD_REALTIME_DATA_CUSTOM2", outgoing(RealtimeDataCustom2Request), incoming(RealtimeDataCustom2View<'a>);
-            /// Controls the attitude by quaternion.
+            /// Turns the camera to an attitude, or rotates it about any axis.
             ControlQuat = 140, outgoing(ControlQuat), incoming();
             /// Requests the state of quaternion control.
             ControlQuatStatus = 141, outgoing(ControlQuatStatusRequest), incoming(ControlQuatStatus);
-            /// Sets motion profile and filters of quaternion control.
+            /// Configures the motion profile and the filters of quaternion control.
             ControlQuatConfig = 142, outgoing(ControlQuatConfig), incoming();
             /// Bridges two serial ports.
             SetTranspProxy = 143, outgoing(SetTranspProxy), incoming();
-            /// Scans for uDrv modules, locates their IMU and assigns ids.
+            /// Scans the CAN bus for uDrv modules, locates their IMUs and assigns ids.
             UdrvDeviceScan = 144, outgoing(UdrvDeviceScan), incoming();
             /// Forwards a message to the GPS_IMU sensor (extended family of boards).
             ExtSensCmd = 150, outgoing(ExtSensCmdRequest<'a>), incoming(ExtSensCmd<'a>);
-            /// Sends bytes to a serial port of some device over CAN.
+            /// Sends bytes to a serial port of a device.
             TransparentSapi = 151, outgoing(TransparentSapiRequest<'a>), incoming(TransparentSapi<'a>);
             /// Payload not published.
             Obgc = 240, outgoing(ObgcRequest<'a>), incoming(Obgc<'a>);
-            /// Has this port receive a copy of the traffic of the other ports, or stop.
+            /// Starts or stops sending copies of the messages on other ports.
             SetDebugPort = 249, outgoing(SetDebugPortRequest), incoming(SetDebugPort<'a>);
             /// Payload not published.
             MavlinkInfo = 250, outgoing(MavlinkInfoRequest<'a>), incoming(MavlinkInfo<'a>);

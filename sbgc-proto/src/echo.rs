@@ -7,15 +7,16 @@ use crate::wire::Slot;
 
 /// Facts about the exchange that a command starts.
 ///
-/// [`Message::REQUEST`](crate::Message::REQUEST) has it for a type, [`RequestInfo::of_payload`] for bytes.
+/// Available from [`Message::REQUEST`](crate::Message::REQUEST) for a type, and from [`RequestInfo::of_payload`] for
+/// bytes.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct RequestInfo {
     /// Command id of the answer; `None` if there is none, or none is certain.
     pub answer: Option<CommandId>,
-    /// Whether the command does more than read, so that sending it twice may act twice.
+    /// Whether the command has an effect beyond the answer, so that sending it twice may act twice.
     pub acts: bool,
-    /// Whether the answer may take seconds, because the work is done before it.
+    /// Whether the answer may take seconds, because the board completes the work first.
     pub slow: bool,
     /// What the answer repeats of the request.
     pub(crate) echo: &'static [Echo],

@@ -1,8 +1,8 @@
-//! What can go wrong between bytes and messages.
+//! Errors of decoding and encoding.
 
 use core::fmt;
 
-/// A payload that is not the message it should be.
+/// Error of decoding a payload.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -20,7 +20,7 @@ pub enum DecodeError {
     Truncated {
         /// Spec name of the command.
         command: &'static str,
-        /// The spec's name of the field.
+        /// Spec name of the field.
         field: &'static str,
         /// Offset of the field in the payload.
         offset: usize,
@@ -40,9 +40,9 @@ pub enum DecodeError {
     UnknownType {
         /// Spec name of the command.
         command: &'static str,
-        /// The spec's name of the field.
+        /// Spec name of the field.
         field: &'static str,
-        /// The number of the type.
+        /// Number of the type.
         raw: u8,
     },
 }
@@ -70,7 +70,7 @@ impl fmt::Display for DecodeError {
 
 impl core::error::Error for DecodeError {}
 
-/// A message that cannot be written.
+/// Error of encoding a message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
@@ -84,7 +84,7 @@ pub enum EncodeError {
     },
     /// An optional field is present or missing, contrary to the preceding fields.
     Presence {
-        /// The spec's name of the field.
+        /// Spec name of the field.
         field: &'static str,
         /// Whether it has to be present.
         expected: bool,

@@ -9,7 +9,7 @@
 //!                                               angles, volts, numbers, lists
 //! ```
 //!
-//! Each module uses only those before it: `frame`, `error`, [`wire`] (bytes of one field), [`reflect`] and serde (its
+//! Each module uses only those before it: `frame`, `error`, `version` (of the firmware), [`wire`] (bytes of one field), [`reflect`] and serde (its
 //! name and text), `declare` (the macros for numbers with a meaning), [`units`], [`command_id`], `echo` (what an answer
 //! repeats), [`message`], [`commands`], and at the top what knows all commands: [`OutgoingCommand`],
 //! [`IncomingCommand`], [`Expected`].
@@ -121,6 +121,8 @@ pub mod link;
 pub mod message;
 #[cfg(feature = "reflect")]
 mod message_info;
+#[cfg(test)]
+mod offsets;
 #[cfg(feature = "reflect")]
 pub mod reflect;
 #[cfg(feature = "serde")]
@@ -138,6 +140,9 @@ pub use expected::Expected;
 pub use message::{Message, Request};
 #[cfg(feature = "reflect")]
 pub use message_info::MessageInfo;
+
+/// The macros read it to document the offsets of fields; named here so that a change of it builds the crate again.
+const _: &str = include_str!("commands/offsets.txt");
 
 // Types of it stand in this crate's own signatures.
 pub use heapless;

@@ -7,7 +7,7 @@ use crate::units::FirmwareVersion;
 use crate::wire::{Fault, FromWire, Layout, ToWire, Writer};
 use crate::{CommandId, DecodeError, Direction, EncodeError, RequestInfo};
 
-/// The payload of one command in one form.
+/// Payload of a command in one form.
 ///
 /// ```
 /// use sbgc_proto::commands::BoardInfo;
@@ -34,13 +34,13 @@ pub trait Message: Layout {
     /// Whether this is the form to build by default: never one that deletes or
     /// reconfigures by what it leaves out.
     const IS_DEFAULT: bool;
-    /// The first firmware that knows it; `None` if that is unknown or the first of all.
+    /// First firmware that supports the message; `None` if that is unknown or the first of all.
     const SINCE: Option<FirmwareVersion>;
     /// Summary in one sentence.
     const SUMMARY: &'static str;
     /// Payload length in bytes.
     const SIZE: RangeInclusive<usize>;
-    /// Facts about the exchange it starts; empty for messages from the board.
+    /// Facts about the exchange that the message starts; empty for messages from the board.
     const REQUEST: RequestInfo = RequestInfo::NONE;
 
     /// Whether a payload of `length` bytes has this form. Always true for the only form of an id.
@@ -143,12 +143,12 @@ pub trait Message: Layout {
 }
 
 impl<'a> Frame<'a> {
-    /// The id as a name.
+    /// Command id.
     pub const fn command(&self) -> CommandId {
         CommandId::from_raw(self.id)
     }
 
-    /// The payload as the message `M`; `None` if the frame has another id, or the length of another form.
+    /// Decodes the payload as the message `M`; `None` if the frame has another id, or the length of another form.
     ///
     /// ```
     /// use sbgc_proto::commands::{Confirm, Error};
@@ -165,12 +165,12 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// A message that the board answers.
+/// Message that the board answers.
 pub trait Request: Message {
     /// Type of the answer.
     type Answer<'answer>: Message;
 
-    /// Decodes the answer to this request, with what only the request defines, such as the flags that selected its
+    /// Decodes the answer to this request, using the request where needed, such as for the flags that select the
     /// fields.
     ///
     /// ```

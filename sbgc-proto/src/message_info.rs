@@ -1,4 +1,4 @@
-//! The description of a message as constant data.
+//! Description of a message as constant data.
 
 use core::ops::RangeInclusive;
 
@@ -6,10 +6,10 @@ use crate::reflect::{Describe, Shape};
 use crate::units::FirmwareVersion;
 use crate::{CommandId, Direction, Message};
 
-/// One declared message.
+/// Description of a message.
 #[derive(Clone, Debug)]
 pub struct MessageInfo {
-    /// The name of its type in [`commands`](crate::commands).
+    /// Name of its type in [`commands`](crate::commands).
     pub type_name: &'static str,
     /// Command id.
     pub id: CommandId,
@@ -19,17 +19,17 @@ pub struct MessageInfo {
     pub spec: &'static str,
     /// Name of the form; `full` if it is the only one.
     pub form: &'static str,
-    /// Whether it is the form to build unless another is asked for; there is one for each command and direction.
+    /// Whether it is the default form; there is exactly one for each command and direction.
     pub is_default: bool,
-    /// The first firmware that knows it; `None` if that is unknown or the first of all.
+    /// First firmware that supports the message; `None` if that is unknown or the first of all.
     pub since: Option<FirmwareVersion>,
     /// Summary in one sentence.
     pub summary: &'static str,
     /// Payload length in bytes.
     pub size: RangeInclusive<usize>,
-    /// Whether a payload of so many bytes has this form.
+    /// Whether a payload of this length has this form.
     pub accepts: fn(usize) -> bool,
-    /// Its fields.
+    /// Structure of the payload.
     pub shape: Shape,
 }
 

@@ -6,7 +6,7 @@ use syn::{Error, ItemStruct, Lifetime, Result, Type, parse2};
 
 use crate::attributes::{Arguments, FIELD_KEYS, FieldArguments, capitals};
 use crate::structure::{Field, Structure, argument_of, is_named};
-use crate::{codec, documentation, reflection};
+use crate::{codec, documentation, offsets, reflection};
 
 pub(crate) fn expand_message(arguments: TokenStream, item: TokenStream) -> Result<TokenStream> {
     let arguments = Arguments::parse_message(arguments)?;
@@ -14,7 +14,8 @@ pub(crate) fn expand_message(arguments: TokenStream, item: TokenStream) -> Resul
     let codec = codec::of_structure(&structure);
     let message = codec::of_message(&structure);
     let reflection = reflection::of_structure(&structure);
-    Ok(quote!(#item #codec #message #reflection))
+    let offsets = offsets::test(&structure);
+    Ok(quote!(#item #codec #message #reflection #offsets))
 }
 
 pub(crate) fn expand_record(arguments: TokenStream, item: TokenStream) -> Result<TokenStream> {
@@ -22,7 +23,8 @@ pub(crate) fn expand_record(arguments: TokenStream, item: TokenStream) -> Result
     let (item, structure) = read(arguments, item)?;
     let codec = codec::of_structure(&structure);
     let reflection = reflection::of_structure(&structure);
-    Ok(quote!(#item #codec #reflection))
+    let offsets = offsets::test(&structure);
+    Ok(quote!(#item #codec #reflection #offsets))
 }
 
 fn read(arguments: Arguments, item: TokenStream) -> Result<(ItemStruct, Structure)> {
@@ -78,11 +80,13 @@ fn read(arguments: Arguments, item: TokenStream) -> Result<(ItemStruct, Structur
             field.attrs.extend(borrowed(&declared.ty, lifetime));
         }
         if reserved && declared.doc.is_empty() {
-            field.attrs.push(syn::parse_quote!(#[doc = "Kept as it came; zero in a new message."]));
+            field.attrs.push(
+                syn::parse_quote!(#[doc = "Reserved bytes, preserved as received; zero in a new message."]),
+            );
         }
         if !transparent {
             let flags = flags_of(&arguments, &fields).map(|(_, ty)| ty);
-            field.attrs.extend(documentation::of_field(&declared, flags.as_ref()));
+            field.attrs.extend(documentation::of_field(&item.ident, &declared, flags.as_ref()));
         }
         fields.push(declared);
     }

@@ -2,11 +2,13 @@
 
 use std::fmt::Write as _;
 
+use proc_macro2::Ident;
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
 use syn::{Attribute, Expr, ExprLit, Lit, LitStr, Token, Type, parse_quote};
 
 use crate::attributes::{Arguments, Count};
+use crate::offsets;
 use crate::structure::Field;
 
 /// The text of the doc comments among `attributes`, the first paragraph only.
@@ -102,7 +104,7 @@ pub(crate) fn of_message(arguments: &Arguments) -> Vec<Attribute> {
 /// What a field's entry says besides its own words.
 ///
 /// `flags` is the type of the flags that choose fields.
-pub(crate) fn of_field(field: &Field, flags: Option<&Type>) -> Vec<Attribute> {
+pub(crate) fn of_field(structure: &Ident, field: &Field, flags: Option<&Type>) -> Vec<Attribute> {
     let arguments = &field.arguments;
     if field.reserved {
         return Vec::new();
@@ -110,6 +112,9 @@ pub(crate) fn of_field(field: &Field, flags: Option<&Type>) -> Vec<Attribute> {
     let mut facts = Vec::new();
     if !arguments.group {
         facts.push(format!("Spec: `{}`", field.spec));
+    }
+    if let Some(offset) = offsets::offset(structure, &field.name) {
+        facts.push(format!("offset {offset}"));
     }
     if let Some(Count::Prefix(count)) = &arguments.count {
         facts.push(format!("counted by `{count}`"));
@@ -131,16 +136,13 @@ pub(crate) fn of_field(field: &Field, flags: Option<&Type>) -> Vec<Attribute> {
     }
     if let (Some(flag), Some(flags)) = (&arguments.flag, flags) {
         let (flag, flags) = (flag.to_token_stream(), flags.to_token_stream());
-        let _ = write!(line, " Present with [`{flag}`]({flags}::{flag}).");
+        let _ = write!(line, " Present if [`{flag}`]({flags}::{flag}) is set.");
     } else if let Some(when) = &arguments.when {
         let when = when.to_token_stream().to_string().replace(" . ", ".").replace(" :: ", "::");
-        let _ = write!(
-            line,
-            " Present when `{}`.",
-            when.replace(" (", "(").replace("( ", "(").replace(" )", ")")
-        );
+        let _ =
+            write!(line, " Present if `{}`.", when.replace(" (", "(").replace("( ", "(").replace(" )", ")"));
     } else if field.is_option {
-        line.push_str(" Absent where the payload ends before it.");
+        line.push_str(" Absent if the payload ends before it.");
     }
     if line.is_empty() {
         return Vec::new();

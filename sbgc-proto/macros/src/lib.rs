@@ -20,6 +20,7 @@ mod bit_fields;
 mod codec;
 mod declaration;
 mod documentation;
+mod offsets;
 mod open_enum;
 mod reflection;
 mod structure;

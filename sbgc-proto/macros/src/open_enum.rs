@@ -45,7 +45,7 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
     let variants = variants(&mut item, &prefix)?;
     item.attrs.push(parse_quote!(#[non_exhaustive]));
     item.variants.push(parse_quote! {
-        /// A value that this list does not have. `From` never makes one of a value that it has.
+        /// Value that is not in this list. `From` never creates it for a listed value.
         Unknown(#integer)
     });
     item.attrs.push(parse_quote!(#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]));
@@ -80,10 +80,10 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
         #item
 
         impl #name {
-            /// The known values with the spec's names.
+            /// Known values with their spec names.
             pub const LABELS: &'static [crate::wire::Label] = &[#(#labels),*];
 
-            /// The value for a raw number.
+            /// Creates the value from a raw number.
             pub const fn from_raw(raw: #integer) -> Self {
                 match raw {
                     #(#values => Self::#names,)*
@@ -91,7 +91,7 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
                 }
             }
 
-            /// The raw number.
+            /// Raw number on the wire.
             pub const fn raw(self) -> #integer {
                 match self {
                     #(Self::#names => #values,)*
@@ -113,7 +113,7 @@ pub(crate) fn expand(arguments: TokenStream, item: TokenStream) -> Result<TokenS
         }
 
         impl ::core::default::Default for #name {
-            /// The value of raw zero.
+            /// Returns the value of raw number 0.
             fn default() -> Self {
                 Self::from_raw(0)
             }

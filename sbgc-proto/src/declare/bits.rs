@@ -73,7 +73,7 @@ macro_rules! flags {
         }
 
         impl $name {
-            /// The named flags with the spec's names.
+            /// Named flags with their spec names.
             pub const LABELS: &'static [$crate::wire::Label] = &[
                 $($crate::wire::Label {
                     value: $value,

@@ -7,12 +7,12 @@ use super::walk::PAYLOAD;
 use super::{FieldInfo, Meaning, Number};
 use crate::OutOfRange;
 
-/// A value whose fields can be set by path.
+/// Value whose fields can be set by path.
 pub trait Assign<'a> {
-    /// Sets what `path` names, or this value itself at the end of the path.
+    /// Sets the field that `path` names, or this value itself at the end of the path.
     ///
     /// # Errors
-    /// If the path names nothing here, or the field cannot have `value`. Nothing is changed then.
+    /// If there is no such field, or it cannot have `value`. Nothing is changed in that case.
     fn assign(
         &mut self,
         path: Steps<'_>,
@@ -23,10 +23,10 @@ pub trait Assign<'a> {
 
 /// Sets the field of `message` that `path` names, within its documented range.
 ///
-/// The field becomes exactly what `value` says, except that a value with a scale goes to the nearest raw number.
+/// The field gets exactly this value, except that scaled values are rounded to the nearest raw number.
 ///
 /// # Errors
-/// If there is no such field, or it cannot have `value`. Nothing is changed then.
+/// If there is no such field, or it cannot have `value`. Nothing is changed in that case.
 pub fn set<'a, T: Assign<'a> + ?Sized>(
     message: &mut T,
     path: &str,
@@ -35,10 +35,10 @@ pub fn set<'a, T: Assign<'a> + ?Sized>(
     message.assign(Steps { rest: path, length: path.len(), outside: None }, value, &FieldInfo::UNNAMED)
 }
 
-/// Sets the field of `message` that `path` names to any value that the wire can hold, and returns its documented range
-/// if the value is outside of that.
+/// Sets the field of `message` that `path` names to any value that the wire can hold, and returns the documented range
+/// if the value is outside of it.
 ///
-/// It is meant for messages that are shown, stored or compared. Use [`set`] for what is sent to a board.
+/// Intended for messages that are displayed, stored or compared. Use [`set`] for messages that are sent to a board.
 ///
 /// ```
 /// use sbgc_proto::commands::Control;
@@ -53,7 +53,7 @@ pub fn set<'a, T: Assign<'a> + ?Sized>(
 /// ```
 ///
 /// # Errors
-/// If there is no such field, or the wire cannot hold `value`. Nothing is changed then.
+/// If there is no such field, or the wire cannot hold `value`. Nothing is changed in that case.
 pub fn force<'a, T: Assign<'a> + ?Sized>(
     message: &mut T,
     path: &str,
@@ -65,7 +65,7 @@ pub fn force<'a, T: Assign<'a> + ?Sized>(
     Ok(outside.take())
 }
 
-/// Sets the payload of a command that the protocol does not have.
+/// Sets the payload of an unknown command.
 pub(crate) fn assign_payload<'a>(
     payload: &mut &'a [u8],
     mut path: Steps<'_>,
@@ -75,24 +75,24 @@ pub(crate) fn assign_payload<'a>(
     payload.assign(path, value, &FieldInfo::UNNAMED)
 }
 
-/// A value for a field.
+/// New value of a field.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Input<'a> {
-    /// The number as it stands on the wire.
+    /// Raw number on the wire.
     Raw(i64),
-    /// A physical value in the field's unit.
+    /// Physical value in the unit of the field.
     Value(f64),
-    /// User input, and everything that is shown of a field.
+    /// Text: user input, or the displayed value of a field.
     ///
     /// For a number: a physical value with or without unit, the name of a value, names of flags joined by `|`,
-    /// `NAME=VALUE` for parts of a number, a raw number in hex after `0x`, or one of these followed by another in
-    /// parentheses that says the same. For bytes: hex digits. For texts: see [`text_bytes`](super::text_bytes).
+    /// `NAME=VALUE` for parts of a number, a raw number in hex after `0x`, or one of these followed by another one with
+    /// the same meaning in parentheses. For bytes: hex digits. For texts: see [`text_bytes`](super::text_bytes).
     Text(&'a str),
-    /// The bytes of a field that is not a number.
+    /// Bytes of a field that is not a number.
     Bytes(&'a [u8]),
 }
 
-/// The part of a path that is still to go, and how values are judged at its end.
+/// Rest of a path, and the policy for values at its end.
 #[derive(Clone, Copy, Debug)]
 pub struct Steps<'p> {
     rest: &'p str,
@@ -195,67 +195,67 @@ impl<'a, T: Assign<'a> + Default> Assign<'a> for Option<T> {
     }
 }
 
-/// Why a field could not be set.
+/// Reason why a field could not be set.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum AssignError {
-    /// No field has that name.
+    /// Unknown field name.
     NoSuchField {
-        /// Where in the path the name begins.
+        /// Offset of the name in the path.
         at: usize,
-        /// The available fields.
+        /// Available fields.
         fields: &'static [FieldInfo],
     },
-    /// The field's parts have other names.
+    /// Unknown name of a part.
     NoSuchPart {
-        /// Where in the path the name begins.
+        /// Offset of the name in the path.
         at: usize,
-        /// The available parts.
+        /// Available parts.
         parts: &'static [&'static str],
     },
-    /// The field's elements have numbers.
+    /// Invalid element index.
     NoSuchElement {
-        /// How many can be set; they count from 0.
+        /// Number of elements, which are counted from 0.
         count: usize,
     },
-    /// The path continues, but the field has no parts.
+    /// The path continues although the field has no parts.
     NoParts,
-    /// More elements than the field can have.
+    /// Too many elements.
     TooMany {
         /// Maximum number of elements.
         most: usize,
     },
-    /// Neither a number nor one of the names that the field knows.
+    /// Neither a number nor one of the names of the field.
     NotANumber {
-        /// What the field knows.
+        /// Kind of number, with the available names.
         number: Number,
     },
-    /// A value that the field can only round.
+    /// The value would have to be rounded.
     Inexact,
-    /// The number and the names that were given for it differ.
+    /// The number and the name given for it contradict each other.
     Contradiction,
-    /// A number for a field of bytes or text.
+    /// Number given for a field of bytes or text.
     NotBytes,
-    /// A text that is not made of hex digits, for a field of bytes.
+    /// Invalid hex digits for a field of bytes.
     NotHex,
-    /// An unknown escape in a text in quotes.
+    /// Unknown escape sequence in quoted text.
     Escape,
     /// The field borrows its bytes, so hex digits and escapes cannot be decoded into it.
     ///
     /// Decode them with [`hex_bytes`](super::hex_bytes) or [`text_bytes`](super::text_bytes), and pass
     /// [`Input::Bytes`].
     Borrowed {
-        /// Whether the field is a text.
+        /// Whether the field is text.
         text: bool,
     },
-    /// Another number of bytes than the field has.
+    /// Wrong number of bytes.
     Length {
         /// Length of the field.
         expected: usize,
         /// Number of bytes given.
         got: usize,
     },
-    /// Outside of the range that the field can have.
+    /// The value is out of range.
     OutOfRange(OutOfRange),
 }
 

@@ -1,12 +1,12 @@
-//! Bytes and texts as people write them: hex digits, and text in which every byte can be said.
+//! Bytes and texts in human-readable form: hex digits, and text that can represent every byte.
 
 use core::fmt::{self, Write as _};
 
 use super::AssignError;
 
-/// Shows bytes that are meant as text, in quotes, so that [`text_bytes`] gives the same bytes.
+/// Displays text bytes in quotes, so that [`text_bytes`] returns the same bytes.
 ///
-/// Characters that cannot be printed, and bytes that are not UTF-8, are escaped.
+/// Non-printable characters and bytes that are not UTF-8 are escaped.
 #[derive(Clone, Copy, Debug)]
 pub struct Quoted<'b>(pub &'b [u8]);
 
@@ -28,7 +28,7 @@ impl fmt::Display for Quoted<'_> {
     }
 }
 
-/// Shows bytes that are meant as text: as they are where [`text_bytes`] takes them so, otherwise like [`Quoted`].
+/// Displays text bytes without quotes if [`text_bytes`] understands them, otherwise like [`Quoted`].
 #[derive(Clone, Copy, Debug)]
 pub struct Plain<'b>(pub &'b [u8]);
 
@@ -42,13 +42,13 @@ impl fmt::Display for Plain<'_> {
     }
 }
 
-/// Reads the bytes that `text` says for a text field into the front of `out` and returns them.
+/// Decodes `text` for a text field to the start of `out` and returns the bytes.
 ///
-/// A text in quotes may hold escapes: `\\`, `\"`, `\n`, `\r`, `\t`, `\0`, `\x` with two hex digits for a byte, `\u{…}`
-/// for a character. Any other text is taken as it is.
+/// Quoted text may contain escapes: `\\`, `\"`, `\n`, `\r`, `\t`, `\0`, `\x` with two hex digits for a byte, `\u{…}`
+/// for a character. Any other text is used literally.
 ///
 /// # Errors
-/// If an escape is none of these, or the bytes do not fit.
+/// If there is an unknown escape, or the bytes do not fit.
 pub fn text_bytes<'o>(text: &str, out: &'o mut [u8]) -> Result<&'o [u8], AssignError> {
     let mut sink = Sink { out, length: 0, total: 0 };
     match text.strip_prefix('"').and_then(|text| text.strip_suffix('"')) {
@@ -67,11 +67,12 @@ pub fn text_bytes<'o>(text: &str, out: &'o mut [u8]) -> Result<&'o [u8], AssignE
     sink.finish()
 }
 
-/// Reads the bytes of hex digits into the front of `out` and returns them. White space, `:` and `,` may stand between
-/// bytes; `-` is no bytes.
+/// Decodes hex digits to the start of `out` and returns the bytes.
+///
+/// Whitespace, `:` and `,` may separate bytes; `-` stands for no bytes.
 ///
 /// # Errors
-/// If there is anything else, or the bytes do not fit.
+/// If there are other characters, or the bytes do not fit.
 pub fn hex_bytes<'o>(text: &str, out: &'o mut [u8]) -> Result<&'o [u8], AssignError> {
     let mut sink = Sink { out, length: 0, total: 0 };
     let text = text.trim();

@@ -1,12 +1,12 @@
-//! Fields by name (feature `reflect`): what a message's fields are, what they hold, and setting them by path.
+//! Reflection (feature `reflect`): list, read and set the fields of messages by name.
 //!
-//! All of it follows from the declaration of the message. [`Describe::SHAPE`] is the description as constant data;
-//! [`Describe::walk`] visits the fields of a value in wire order; [`set`] sets one from text or numbers, checked
-//! against its documented range, and [`force`] to anything that the wire can hold. What is shown of a field sets it to
-//! the same again.
+//! Everything follows from the declaration of a message. [`Describe::SHAPE`] is its description as constant data.
+//! [`Describe::walk`] visits the fields of a value in wire order. [`set`] sets a field from text or a number, checked
+//! against the documented range; [`force`] accepts everything that the wire can hold. The displayed value of a field
+//! sets it to the same value again.
 //!
-//! A path names a field from the outside in: `rc_memory.yaw`, `axes.pitch.p`, `params[0].id`. The spec's names are
-//! understood too, in capitals or not.
+//! A path names a field from the outside in: `rc_memory.yaw`, `axes.pitch.p`, `params[0].id`. Spec names are accepted,
+//! too, in upper or lower case.
 //!
 //! ```
 //! use sbgc_proto::commands::Control;

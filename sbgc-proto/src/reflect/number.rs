@@ -1,10 +1,10 @@
-//! Numbers on the wire, the physical values they stand for, and their names.
+//! Numbers on the wire, their physical values and their names.
 
 use core::fmt;
 
 use crate::wire::Label;
 
-/// How a number stands on the wire.
+/// Wire type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[expect(non_camel_case_types, reason = "they are the names of the types")]
 #[allow(missing_docs, reason = "they are the names of the types")]
@@ -20,7 +20,7 @@ pub enum Scalar {
 }
 
 impl Scalar {
-    /// The name, for example `u16`.
+    /// Name of the type, for example `u16`.
     pub const fn name(self) -> &'static str {
         match self {
             Scalar::u8 => "u8",
@@ -34,7 +34,7 @@ impl Scalar {
         }
     }
 
-    /// Bytes on the wire.
+    /// Number of bytes on the wire.
     pub const fn size(self) -> usize {
         match self {
             Scalar::u8 | Scalar::i8 => 1,
@@ -44,7 +44,7 @@ impl Scalar {
         }
     }
 
-    /// The minimum and maximum raw number; for a float, those of its value.
+    /// Minimum and maximum raw number; for a float, those of its value.
     pub const fn limits(self) -> (f64, f64) {
         match self {
             Scalar::u8 => (0.0, 255.0),
@@ -59,40 +59,40 @@ impl Scalar {
     }
 }
 
-/// What raw numbers mean beyond their value.
+/// Interpretation of raw numbers beyond their value.
 #[derive(Clone, Copy, Debug)]
 pub enum Meaning {
-    /// Nothing.
+    /// No further interpretation.
     Plain,
-    /// Each value has a name.
+    /// Enumeration: values with names.
     Enum(&'static [Label]),
-    /// Each bit has a name.
+    /// Flags: bits with names.
     Flags(&'static [Label]),
-    /// Groups of bits are numbers of their own, and some values have names as a whole.
+    /// Groups of bits that are separate numbers, and whole values with names.
     Bits(&'static [BitPart], &'static [Label]),
-    /// A quantity of which a few values are names.
+    /// Quantity in which a few values have names instead.
     Special(&'static [Label]),
-    /// Shown and read in a way of its own.
+    /// Custom display and parse functions.
     Shown {
-        /// Shows a raw number.
+        /// Displays a raw number.
         show: fn(i64, &mut fmt::Formatter<'_>) -> fmt::Result,
-        /// The raw number that is shown as this text.
+        /// Parses the displayed text; `None` if it is invalid.
         read: fn(&str) -> Option<i64>,
     },
 }
 
-/// A number within a number.
+/// Part of a number.
 #[derive(Clone, Copy, Debug)]
 pub struct BitPart {
-    /// The spec's name.
+    /// Spec name.
     pub name: &'static str,
-    /// Its lowest bit.
+    /// Lowest bit.
     pub low: u32,
-    /// How many bits it takes.
+    /// Number of bits.
     pub width: u32,
     /// Names of its values.
     pub labels: &'static [Label],
-    /// Type of the device.
+    /// Description in one sentence.
     pub doc: &'static str,
 }
 
@@ -102,30 +102,30 @@ impl BitPart {
     }
 }
 
-/// A kind of number: how it stands on the wire and what it stands for.
+/// Description of a number: wire type, unit, scale and names.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
-    /// Its form on the wire.
+    /// Wire type.
     pub scalar: Scalar,
-    /// The unit of the value; empty when it has none.
+    /// Unit of the value; empty if it has none.
     pub unit: &'static str,
-    /// The value is `raw * multiply / divide`.
+    /// Numerator of the scale: the value is `raw * multiply / divide`.
     pub multiply: f64,
-    /// The value is `raw * multiply / divide`.
+    /// Denominator of the scale: the value is `raw * multiply / divide`.
     pub divide: f64,
-    /// What raw numbers mean beyond that.
+    /// Interpretation of raw numbers beyond their value.
     pub meaning: Meaning,
 }
 
-/// A type that is one number on the wire.
+/// Type that is a single number on the wire.
 pub trait NumberType: Sized {
-    /// What kind of number.
+    /// Description of the number.
     const NUMBER: Number;
 
-    /// The number as it stands on the wire; of a float, its bits.
+    /// Raw number on the wire; for a float, its bits.
     fn raw_number(&self) -> i64;
 
-    /// The value for a raw number, `None` where the wire cannot hold it.
+    /// Creates the value from a raw number; `None` if the wire cannot hold it.
     fn from_raw_number(raw: i64) -> Option<Self>;
 }
 
@@ -167,12 +167,12 @@ macro_rules! reflect_number {
 pub(crate) use reflect_number;
 
 impl Number {
-    /// A number without unit or names.
+    /// Describes a number without unit, scale and names.
     pub const fn plain(scalar: Scalar) -> Self {
         Number { scalar, unit: "", multiply: 1.0, divide: 1.0, meaning: Meaning::Plain }
     }
 
-    /// The value that `raw` stands for, in [`unit`](Self::unit).
+    /// Physical value of `raw`, in [`unit`](Self::unit).
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn value(&self, raw: i64) -> f64 {
         match self.scalar {
@@ -182,19 +182,19 @@ impl Number {
         }
     }
 
-    /// Whether the value is another number than the raw one.
+    /// Whether the value differs from the raw number.
     #[allow(clippy::float_cmp, reason = "they are written side by side and never calculated")]
     pub fn is_scaled(&self) -> bool {
         self.multiply != self.divide
     }
 
-    /// The name of `raw` in an enumeration or of a special case, if it has one.
+    /// Name of `raw` in an enumeration or as a special value, if it has one.
     pub fn name(&self, raw: i64) -> Option<&'static str> {
         let (Meaning::Enum(labels) | Meaning::Special(labels)) = self.meaning else { return None };
         labels.iter().find(|label| label.value == raw).map(|label| label.name)
     }
 
-    /// The names that `raw` has, if any.
+    /// Names of `raw`, if it has any.
     pub fn label(&self, raw: i64) -> Option<impl fmt::Display + use<>> {
         let named = match self.meaning {
             Meaning::Plain => false,

@@ -1,28 +1,28 @@
-//! The description of fields as constant data.
+//! Description of fields as constant data.
 
 use super::Number;
 use crate::version::FirmwareVersion;
 
-/// One declared field.
+/// Description of a field.
 #[derive(Clone, Copy, Debug)]
 pub struct FieldInfo {
-    /// The field's name in Rust.
+    /// Name in Rust.
     pub name: &'static str,
-    /// The spec's name.
+    /// Spec name.
     pub spec: &'static str,
-    /// What it is, in a sentence.
+    /// Description in one sentence.
     pub doc: &'static str,
-    /// The unit of a plain number; where the type brings its own unit, empty.
+    /// Unit of a plain number; empty if the type defines the unit.
     pub unit: &'static str,
-    /// The allowed raw values, both ends included.
+    /// Minimum and maximum allowed raw value.
     pub range: Option<(f64, f64)>,
-    /// The first firmware that uses it; `None` if that is unknown or the first of all.
+    /// First firmware that uses the field; `None` if that is unknown or the first of all.
     pub since: Option<FirmwareVersion>,
-    /// Whether it is always on the wire.
+    /// Condition for its presence in a payload.
     pub presence: Presence,
-    /// Whether the protocol keeps it for later.
+    /// Whether the field is reserved.
     pub reserved: bool,
-    /// What it consists of.
+    /// Structure of the value.
     pub shape: Shape,
 }
 
@@ -46,25 +46,25 @@ impl FieldInfo {
     }
 }
 
-/// When a field is on the wire.
+/// Condition for the presence of a field in a payload.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Presence {
-    /// In every payload.
+    /// Present in every payload.
     Always,
-    /// Unless the payload ends before it.
+    /// Present unless the payload ends before it.
     Tail,
-    /// When this condition on earlier fields, or on what the request asked for, holds.
+    /// Present if this condition on earlier fields, or on the request, holds.
     When(&'static str),
 }
 
-/// What a value consists of.
+/// Structure of a value.
 #[derive(Clone, Copy, Debug)]
 pub enum Shape {
-    /// One number.
+    /// Number.
     Number(Number),
-    /// Bytes; `least` and `most` are the same where their number is fixed.
+    /// Bytes; `least` equals `most` if their number is fixed.
     Bytes {
-        /// The minimum.
+        /// Minimum number of bytes.
         least: usize,
         /// The most.
         most: usize,
@@ -74,27 +74,27 @@ pub enum Shape {
         /// Maximum number of bytes.
         most: usize,
     },
-    /// Fields one after the other.
+    /// Fields, one after the other.
     Struct(&'static [FieldInfo]),
-    /// The same for each of several names: axes, components of a vector.
+    /// Elements with names: axes, or components of a vector.
     Group {
-        /// The names in wire order.
+        /// Names in wire order.
         names: &'static [&'static str],
-        /// What each has.
+        /// Structure of each element.
         element: &'static Shape,
     },
-    /// So many of the same.
+    /// Fixed number of elements.
     Array {
-        /// How many.
+        /// Number of elements.
         count: usize,
-        /// What each is.
+        /// Structure of each element.
         element: &'static Shape,
     },
-    /// As many of the same as the payload says.
+    /// Variable number of elements.
     List {
         /// The most.
         most: usize,
-        /// What each is.
+        /// Structure of each element.
         element: &'static Shape,
     },
 }

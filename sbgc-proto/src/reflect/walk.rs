@@ -4,16 +4,16 @@ use core::fmt;
 
 use super::{FieldInfo, Number, Shape};
 
-/// A value whose fields can be visited.
+/// Value whose fields can be visited.
 pub trait Describe {
-    /// What it consists of.
+    /// Structure of the value.
     const SHAPE: Shape;
 
-    /// Visits its leaves and returns how many bytes they take.
+    /// Visits the leaves of the value and returns their total size in bytes.
     fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize;
 }
 
-/// Visits the leaves of `message` in wire order and returns how many bytes they take.
+/// Visits the leaves of `message` in wire order and returns their total size in bytes.
 pub fn walk<T: Describe>(message: &T, visitor: &mut dyn Visitor) -> usize {
     message.walk(&Place::ROOT, visitor)
 }
@@ -29,9 +29,9 @@ pub(super) const PAYLOAD: &[FieldInfo] = &[FieldInfo {
     ..FieldInfo::new("payload", "PAYLOAD", <&[u8] as Describe>::SHAPE)
 }];
 
-/// Is shown each leaf.
+/// Receives each leaf of a message.
 pub trait Visitor {
-    /// One number, text or block of bytes.
+    /// Called for each number, text or block of bytes.
     fn leaf(&mut self, leaf: &Leaf<'_>);
 }
 
@@ -41,7 +41,7 @@ impl<F: FnMut(&Leaf<'_>)> Visitor for F {
     }
 }
 
-/// Where a value stands in its message. Shows as `axes.roll.p` or `params[0].id`.
+/// Path of a value within its message. Displayed as `axes.roll.p` or `params[0].id`.
 #[derive(Clone, Copy, Debug)]
 pub struct Path<'p> {
     parent: Option<&'p Path<'p>>,
@@ -56,10 +56,10 @@ enum Step {
 }
 
 impl Path<'_> {
-    /// Appends what [`Display`](fmt::Display) shows, without the cost of formatting.
+    /// Writes the same text as [`Display`](fmt::Display), without the cost of formatting.
     ///
     /// # Errors
-    /// If `out` fails.
+    /// If writing to `out` fails.
     pub fn write_to<W: fmt::Write + ?Sized>(&self, out: &mut W) -> fmt::Result {
         if let Some(parent) = self.parent {
             parent.write_to(out)?;
@@ -94,7 +94,7 @@ impl fmt::Display for Path<'_> {
     }
 }
 
-/// Where a walk is: path, declared field, and offset in the payload.
+/// Position of a walk: path, declared field, and offset in the payload.
 #[derive(Clone, Copy, Debug)]
 pub struct Place<'p> {
     path: Path<'p>,
@@ -103,37 +103,37 @@ pub struct Place<'p> {
 }
 
 impl Place<'static> {
-    /// A message as a whole.
+    /// Position of a message as a whole.
     pub(crate) const ROOT: Self =
         Place { path: Path { parent: None, step: Step::Root }, field: &FieldInfo::UNNAMED, offset: 0 };
 }
 
 impl Place<'_> {
-    /// The field `fields[index]`, `offset` bytes further on.
+    /// Position of the field `fields[index]`, `offset` bytes further on.
     pub(crate) fn field(&self, fields: &'static [FieldInfo], index: usize, offset: usize) -> Place<'_> {
         let field = fields.get(index).unwrap_or(self.field);
         let path = Path { parent: Some(&self.path), step: Step::Name(field.name) };
         Place { path, field, offset: self.offset + offset }
     }
 
-    /// A named part of the same field.
+    /// Position of a named part of the same field.
     pub(crate) fn part(&self, name: &'static str, offset: usize) -> Place<'_> {
         let path = Path { parent: Some(&self.path), step: Step::Name(name) };
         Place { path, field: self.field, offset: self.offset + offset }
     }
 
-    /// An element of the same field.
+    /// Position of an element of the same field.
     pub(crate) fn element(&self, index: usize, offset: usize) -> Place<'_> {
         let path = Path { parent: Some(&self.path), step: Step::Index(index) };
         Place { path, field: self.field, offset: self.offset + offset }
     }
 
-    /// Visits `value` here.
+    /// Visits `value` at this position.
     pub(crate) fn walk<T: Describe>(&self, value: &T, visitor: &mut dyn Visitor) -> usize {
         value.walk(self, visitor)
     }
 
-    /// Shows a leaf of `size` bytes to the visitor.
+    /// Passes a leaf of `size` bytes to the visitor.
     pub(crate) fn leaf(
         &self,
         size: usize,
@@ -146,36 +146,36 @@ impl Place<'_> {
     }
 }
 
-/// What stands on the wire.
+/// Raw value on the wire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Raw<'r> {
-    /// A number; of a float, its bits.
+    /// Number; for a float, its bits.
     Number(i64),
     /// Bytes.
     Bytes(&'r [u8]),
-    /// Bytes that are meant as text.
+    /// Bytes of a text.
     Text(&'r [u8]),
 }
 
-/// A number, text or block of bytes in a message.
+/// Number, text or block of bytes in a message.
 #[derive(Clone, Copy, Debug)]
 pub struct Leaf<'l> {
-    /// Where it is.
+    /// Path within the message.
     pub path: &'l Path<'l>,
-    /// The declared field that it is or belongs to.
+    /// Declared field that it is or belongs to.
     pub field: &'static FieldInfo,
-    /// Its first byte in the payload.
+    /// Offset of its first byte in the payload.
     pub offset: usize,
-    /// Its bytes in the payload.
+    /// Number of bytes.
     pub size: usize,
-    /// What kind of number it is, if it is one.
+    /// Description of the number; `None` for bytes and texts.
     pub number: Option<&'static Number>,
-    /// What stands on the wire.
+    /// Raw value on the wire.
     pub raw: Raw<'l>,
 }
 
 impl Leaf<'_> {
-    /// The name of the wire type: `u8` to `f32`, `bytes` or `str`.
+    /// Name of the wire type: `u8` to `f32`, `bytes` or `str`.
     pub fn type_name(&self) -> &'static str {
         match (self.number, self.raw) {
             (Some(number), _) => number.scalar.name(),
@@ -184,7 +184,7 @@ impl Leaf<'_> {
         }
     }
 
-    /// The physical value of a number.
+    /// Physical value of a number.
     pub fn value(&self) -> Option<f64> {
         match self.raw {
             Raw::Number(raw) => self.number.map(|number| number.value(raw)),
@@ -192,12 +192,12 @@ impl Leaf<'_> {
         }
     }
 
-    /// The unit of the value, empty when it has none.
+    /// Unit of the value; empty if it has none.
     pub fn unit(&self) -> &'static str {
         self.number.map(|number| number.unit).filter(|unit| !unit.is_empty()).unwrap_or(self.field.unit)
     }
 
-    /// The names of the value: of an enumeration, of flags, of a special case.
+    /// Names of the value: of an enumeration, of flags or of a special value.
     pub fn label(&self) -> Option<impl fmt::Display + use<>> {
         match self.raw {
             Raw::Number(raw) => self.number.and_then(|number| number.label(raw)),

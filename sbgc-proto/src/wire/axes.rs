@@ -14,12 +14,12 @@ macro_rules! groups {
         }
 
         impl<T> $group<T> {
-            /// The three values, each made by `make` from the one that stands here.
+            /// Returns a group with each value converted by `make`.
             pub fn map<U>(self, mut make: impl FnMut(T) -> U) -> $group<U> {
                 $group { $($part: make(self.$part),)* }
             }
 
-            /// The three values in the order of the wire.
+            /// Returns the three values in wire order.
             pub fn into_array(self) -> [T; 3] {
                 [$(self.$part),*]
             }
@@ -69,7 +69,7 @@ macro_rules! groups {
 }
 
 groups! {
-    /// A value for each axis of the gimbal, in the order of the protocol.
+    /// One value for each axis of the gimbal, in wire order.
     PerAxis {
         /// Rotation about the optical axis.
         roll,
@@ -78,13 +78,13 @@ groups! {
         /// Rotation left and right.
         yaw
     }
-    /// A value for each component of a vector.
+    /// One value for each component of a vector, in wire order.
     PerXyz {
-        /// To the right, or East.
+        /// X: right or East.
         x,
-        /// Forward, or North.
+        /// Y: forward or North.
         y,
-        /// Down.
+        /// Z: down.
         z
     }
 }

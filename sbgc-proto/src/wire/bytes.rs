@@ -50,12 +50,11 @@ macro_rules! blocks {
 }
 
 blocks! {
-    /// A block of bytes that the protocol does not divide further. Spec type `Nb`.
+    /// Block of raw bytes. Spec type `Nb`.
     Bytes
-    /// Bytes that the protocol keeps for later. They stay what they were, so that newer firmware, which may use them,
-    /// gets back what it sent.
+    /// Reserved bytes. They are preserved, because newer firmware may use them.
     Reserved
-    /// A text in a fixed number of bytes, filled up with zeros. The bytes stay as they are.
+    /// Text in a fixed number of bytes, padded with zeros. All bytes are preserved.
     FixedText
 }
 
@@ -81,20 +80,20 @@ impl<const N: usize> core::fmt::Debug for FixedText<N> {
 }
 
 impl<const N: usize> FixedText<N> {
-    /// The bytes before the first zero.
+    /// Bytes before the first zero.
     pub fn as_bytes(&self) -> &[u8] {
         self.0.split(|byte| *byte == 0).next().unwrap_or_default()
     }
 
-    /// The text before the first zero.
+    /// Text before the first zero.
     ///
     /// # Errors
-    /// When the bytes are not UTF-8.
+    /// If the bytes are not UTF-8.
     pub fn as_str(&self) -> Result<&str, core::str::Utf8Error> {
         core::str::from_utf8(self.as_bytes())
     }
 
-    /// `text`, filled up with zeros.
+    /// Creates the bytes of `text`, padded with zeros.
     ///
     /// # Errors
     /// If it has more than `N` bytes.
@@ -118,16 +117,16 @@ impl core::fmt::Display for Hex<'_> {
     }
 }
 
-/// A text behind its length byte, borrowed from the payload. It should be ASCII; any bytes are kept.
+/// Text with a length byte in front, borrowed from the payload. Normally ASCII; all bytes are preserved.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Text<'a>(pub &'a [u8]);
 
 impl<'a> Text<'a> {
-    /// The text.
+    /// Text as a string.
     ///
     /// # Errors
-    /// When the bytes are not UTF-8.
+    /// If the bytes are not UTF-8.
     pub fn as_str(&self) -> Result<&'a str, core::str::Utf8Error> {
         core::str::from_utf8(self.0)
     }

@@ -3,7 +3,7 @@
 /// What [`FromWire::read`](super::FromWire::read) returns: the rest of the input and the value.
 pub type Read<'a, T> = Result<(&'a [u8], T), Fault>;
 
-/// A field that could not be read. The payload as a whole makes a [`DecodeError`](crate::DecodeError) of it.
+/// Details of a field that could not be read, which become a [`DecodeError`](crate::DecodeError).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// The spec's name of the innermost field whose length varies, or that is of fixed length in one that does; empty

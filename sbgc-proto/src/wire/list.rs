@@ -1,4 +1,4 @@
-//! Repeated elements whose number the payload decides.
+//! Lists whose length the payload determines.
 
 use heapless::Vec;
 use nom::Parser;
@@ -8,7 +8,7 @@ use nom::error::{ErrorKind, ParseError};
 use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
 
-/// Up to `N` elements, one after the other. Without a count of its own it reaches to the end of the payload.
+/// List of up to `N` elements. Without a count, it extends to the end of the payload.
 #[derive(Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -16,7 +16,7 @@ use crate::EncodeError;
 pub struct List<T, const N: usize>(Vec<T, N>);
 
 impl<T, const N: usize> List<T, N> {
-    /// No elements.
+    /// Creates an empty list.
     pub const fn new() -> Self {
         Self(Vec::new())
     }
@@ -24,12 +24,12 @@ impl<T, const N: usize> List<T, N> {
     /// Appends an element.
     ///
     /// # Errors
-    /// Gives the element back when there are `N` already.
+    /// If the list already has `N` elements. The error contains the element.
     pub fn push(&mut self, element: T) -> Result<(), T> {
         self.0.push(element)
     }
 
-    /// The number of elements as a count byte has it.
+    /// Number of elements, as in a count byte.
     pub fn count(&self) -> u8 {
         u8::try_from(self.0.len()).unwrap_or(u8::MAX)
     }
@@ -70,7 +70,7 @@ impl<'l, T, const N: usize> IntoIterator for &'l List<T, N> {
     }
 }
 
-/// Takes the elements that fit, `N` at most.
+/// Collects at most `N` elements; further ones are dropped.
 impl<T, const N: usize> FromIterator<T> for List<T, N> {
     fn from_iter<I: IntoIterator<Item = T>>(elements: I) -> Self {
         Self(elements.into_iter().take(N).collect())

@@ -1,12 +1,11 @@
-//! How one field becomes bytes and back: the vocabulary in which messages are declared.
+//! Encoding and decoding of fields.
 //!
-//! Here live the traits [`FromWire`], [`ToWire`] and [`Layout`], and the types that know nothing of gimbals: integers,
-//! floats, arrays, per-axis groups, lists, texts, reserved bytes. Physical quantities are in
-//! [`units`](crate::units), whole payloads in [`commands`](crate::commands).
+//! Contains the traits [`FromWire`], [`ToWire`] and [`Layout`], and general types: floats, per-axis groups, lists,
+//! texts and reserved bytes. Physical quantities are in [`units`](crate::units), whole payloads in
+//! [`commands`](crate::commands).
 //!
-//! All numbers are little-endian and packed. What always has the same length is read at fixed offsets of a slice that is
-//! known to be long enough, without a step that can fail for each field; lists, whose length the payload decides, are
-//! parsed by nom.
+//! All numbers are little-endian and packed. Structures of fixed length are read at fixed offsets after a single length
+//! check; lists, whose length the payload determines, are parsed element by element.
 
 mod axes;
 mod bytes;
@@ -36,42 +35,42 @@ pub(crate) use slot::fixed;
 
 use crate::EncodeError;
 
-/// How many bytes a value takes on the wire.
+/// Size of a value on the wire.
 pub trait Layout: Sized {
-    /// The minimum number of bytes.
+    /// Minimum number of bytes.
     const MIN_LEN: usize;
-    /// The most bytes.
+    /// Maximum number of bytes.
     const MAX_LEN: usize;
-    /// Whether it always takes the same number of bytes.
+    /// Whether the size is fixed.
     const FIXED: bool = Self::MIN_LEN == Self::MAX_LEN;
-    /// The places of the fields, for a declared struct.
+    /// Positions of the fields of a declared struct.
     #[doc(hidden)]
     const SLOTS: &'static [Slot] = &[];
 }
 
-/// Can be decoded from the bytes of a payload. `C` is external context, `()` for most types.
+/// Decoding from payload bytes. `C` is external context, `()` for most types.
 pub trait FromWire<'a, C = ()>: Layout {
-    /// Reads a value from the front of `input` and returns what follows it.
+    /// Reads a value from the start of `input` and returns the remaining bytes.
     ///
     /// # Errors
     /// If the input ends too early.
     fn read(input: &'a [u8], context: C) -> Read<'a, Self>;
 
-    /// Reads a value of [fixed](Layout::FIXED) length from the front of `input`, or nothing where that is shorter.
+    /// Reads a value of [fixed](Layout::FIXED) size from the start of `input`; `None` if it is too short.
     ///
-    /// No error to build and no rest to return, so it comes down to loads from fixed offsets.
+    /// Without error details and remaining bytes, this compiles to loads from fixed offsets.
     #[inline]
     fn read_fixed(input: &'a [u8], context: C) -> Option<Self> {
         Self::read(input, context).ok().map(|(_, value)| value)
     }
 }
 
-/// Can be written as bytes of a payload. `C` is the same as in [`FromWire`].
+/// Encoding to payload bytes. `C` is external context, as in [`FromWire`].
 pub trait ToWire<C = ()> {
     /// Appends the value to `out`.
     ///
     /// # Errors
-    /// When `out` is full, or when the value contradicts itself, for example in an optional part that is there though
-    /// a flag says that it is not.
+    /// If `out` is full or the value is inconsistent, for example if an optional field is present although its flag is
+    /// not set.
     fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError>;
 }

@@ -3,14 +3,14 @@
 use super::{FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
 
-/// A named raw value: of an enumeration, a flag, or a special case of a number.
+/// Named raw value: of an enumeration, a flag or a special value of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Label<V = i64> {
-    /// The raw value, for a flag its bit or bits.
+    /// Raw value; for a flag, its bit or bits.
     pub value: V,
-    /// The spec's name.
+    /// Spec name.
     pub name: &'static str,
-    /// What it means.
+    /// Description in one sentence.
     pub doc: &'static str,
 }
 
@@ -44,7 +44,7 @@ macro_rules! integers {
 
 integers!(u8 i8 u16 i16 u32 i32);
 
-/// An unsigned number of 24 bits. Spec type `3u`.
+/// Unsigned 24-bit number. Spec type `3u`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(
@@ -58,12 +58,12 @@ impl U24 {
     /// Maximum value, 2^24 - 1.
     pub const MAX: Self = Self([0xFF; 3]);
 
-    /// The number of these bytes, low byte first.
+    /// Creates the number from bytes, low byte first.
     pub const fn from_le_bytes(bytes: [u8; 3]) -> Self {
         Self(bytes)
     }
 
-    /// The number as 32 bits.
+    /// Value as a 32-bit number.
     pub const fn get(self) -> u32 {
         let [low, middle, high] = self.0;
         u32::from_le_bytes([low, middle, high, 0])
@@ -109,23 +109,23 @@ impl ToWire for U24 {
     }
 }
 
-/// A float of 32 bits that compares by its bits and keeps them all, those of a NaN too. Spec type `4f`.
+/// 32-bit float that preserves all bits, including those of a NaN, and compares by them. Spec type `4f`.
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Float(u32);
 
 impl Float {
-    /// The float that has these bits.
+    /// Creates the float from its bits.
     pub const fn from_bits(bits: u32) -> Self {
         Self(bits)
     }
 
-    /// The bits.
+    /// Bits of the float.
     pub const fn bits(self) -> u32 {
         self.0
     }
 
-    /// The number.
+    /// Value as a float.
     pub const fn get(self) -> f32 {
         f32::from_bits(self.0)
     }

@@ -1,6 +1,6 @@
 //! Where the fields of a declared struct stand, for checks when compiling.
 
-/// The place of one field within its struct.
+/// Position of a field within its struct.
 #[derive(Clone, Copy, Debug)]
 pub struct Slot {
     /// The field's name in the code.

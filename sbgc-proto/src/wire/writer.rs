@@ -1,8 +1,8 @@
-//! The place that fields are written to.
+//! Output for encoding fields.
 
 use crate::EncodeError;
 
-/// Appends bytes to a slice of the caller's.
+/// Writer that appends bytes to a caller's slice.
 #[derive(Debug)]
 pub struct Writer<'o> {
     buffer: &'o mut [u8],
@@ -10,7 +10,7 @@ pub struct Writer<'o> {
 }
 
 impl<'o> Writer<'o> {
-    /// Writes from the front of `buffer` on.
+    /// Creates a writer that starts at the beginning of `buffer`.
     pub fn new(buffer: &'o mut [u8]) -> Self {
         Self { buffer, length: 0 }
     }
@@ -20,7 +20,7 @@ impl<'o> Writer<'o> {
         Self { buffer, length }
     }
 
-    /// Bytes written so far.
+    /// Number of bytes written so far.
     pub fn len(&self) -> usize {
         self.length
     }
@@ -30,10 +30,10 @@ impl<'o> Writer<'o> {
         self.length == 0
     }
 
-    /// Appends so many bytes.
+    /// Appends an array of bytes.
     ///
     /// # Errors
-    /// [`EncodeError::BufferTooSmall`] if they do not fit; nothing is written then.
+    /// If they do not fit: [`EncodeError::BufferTooSmall`]. Nothing is written in that case.
     #[inline]
     pub fn put_array<const N: usize>(&mut self, bytes: &[u8; N]) -> Result<(), EncodeError> {
         match self.buffer.get_mut(self.length..).and_then(<[u8]>::first_chunk_mut) {
@@ -49,7 +49,7 @@ impl<'o> Writer<'o> {
     /// Appends `bytes`.
     ///
     /// # Errors
-    /// [`EncodeError::BufferTooSmall`] when they do not fit; nothing is written then.
+    /// If they do not fit: [`EncodeError::BufferTooSmall`]. Nothing is written in that case.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), EncodeError> {
         let end = self.length.saturating_add(bytes.len());
         match self.buffer.get_mut(self.length..end) {

@@ -3,18 +3,17 @@
 use std::time::Duration;
 
 use bytes::Bytes;
+use sbgc_proto::CommandId;
 use sbgc_proto::commands::{
     CalibAcc, CalibAccExtRef, CalibAction, CalibBat, CalibCogging, CalibExtGain, CalibGyro, CalibImu,
     CalibMag, CalibMode, CalibOffset, CalibOrientCorr, CalibPoles, CoggingAction, CoggingAxes, CoggingAxis,
     EncodersCalibFldOffset4Simple, EncodersCalibOffset4Simple, ImuCalibration,
 };
 use sbgc_proto::units::{Acceleration, FirmwareVersion, Voltage};
-use sbgc_proto::wire::{PerXyz, ToWire};
-use sbgc_proto::{CommandId, Message};
+use sbgc_proto::wire::PerXyz;
 
-use super::tune::{BodeTest, Tuning};
+use super::tune::{BodeTest, Tuning, frame};
 use crate::error::{Error, Result};
-use crate::gimbal::encode;
 
 /// A calibration, or a procedure that runs like one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -216,10 +215,6 @@ impl Calibration {
             Self::Bode(test) => frame(&test.command()),
         }
     }
-}
-
-pub(super) fn frame<M: Message + ToWire>(command: &M) -> Result<(CommandId, Bytes)> {
-    Ok((M::ID, encode(command)?))
 }
 
 fn voltage(volts: f32) -> Result<Voltage> {

@@ -212,7 +212,7 @@ impl CalibrationRun {
     fn stop_command(&self) -> Option<(CommandId, Bytes)> {
         match self.calibration {
             Calibration::Tuning(_) => stop_tuning(self.firmware).ok(),
-            _ if self.facts.moves => super::kind::frame(&MotorsOff { mode: MotorsOffMode::SafeStop }).ok(),
+            _ if self.facts.moves => super::tune::frame(&MotorsOff { mode: MotorsOffMode::SafeStop }).ok(),
             _ => None,
         }
     }

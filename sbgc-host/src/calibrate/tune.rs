@@ -1,7 +1,6 @@
 //! Automatic tuning of the PID loops, in the form that the firmware has, and Bode tests.
 
 use bytes::Bytes;
-use sbgc_proto::CommandId;
 use sbgc_proto::commands::{
     AutoPid2Action, AutoPid2Axis, AutoPid2AxisFlags, AutoPid2CmdFlags, AutoPid2GeneralFlags,
     AutoPid2LegacyAxis, AutoPid2LegacyRequest, AutoPid2Request, AutoPid2SimpleRequest, AutoPidAction,
@@ -9,10 +8,11 @@ use sbgc_proto::commands::{
     ProfileId,
 };
 use sbgc_proto::units::FirmwareVersion;
-use sbgc_proto::wire::PerAxis;
+use sbgc_proto::wire::{PerAxis, ToWire};
+use sbgc_proto::{CommandId, Message};
 
-use super::kind::frame;
 use crate::error::Result;
+use crate::gimbal::encode;
 
 /// The first firmware with the second version of tuning, and the first with its present layout.
 const SECOND_SINCE: FirmwareVersion = FirmwareVersion::new(2, 70, 0);
@@ -134,4 +134,9 @@ impl BodeTest {
             ..BodeTestStartStopRequest::default()
         }
     }
+}
+
+/// The id and the payload of a command.
+pub(super) fn frame<M: Message + ToWire>(command: &M) -> Result<(CommandId, Bytes)> {
+    Ok((M::ID, encode(command)?))
 }

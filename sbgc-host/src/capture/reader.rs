@@ -25,7 +25,7 @@ pub enum Format {
 
 /// What a capture holds.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Item {
+pub enum Captured {
     /// A frame.
     Frame {
         /// Offset of its first byte; in a log the number of the line, from 1 on.
@@ -94,7 +94,7 @@ impl Reader {
     ///
     /// # Errors
     /// When the capture is not what its format says.
-    pub fn feed(&mut self, piece: &[u8], item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
+    pub fn feed(&mut self, piece: &[u8], item: &mut dyn FnMut(Captured)) -> Result<(), ReadError> {
         if self.format != Format::Auto {
             return self.read(piece, item);
         }
@@ -105,13 +105,13 @@ impl Reader {
     }
 
     /// The format is known: what waited for that is read.
-    fn begin(&mut self, format: Format, item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
+    fn begin(&mut self, format: Format, item: &mut dyn FnMut(Captured)) -> Result<(), ReadError> {
         self.format = format;
         let beginning = std::mem::take(&mut self.beginning);
         self.read(&beginning.seen, item)
     }
 
-    fn read(&mut self, piece: &[u8], item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
+    fn read(&mut self, piece: &[u8], item: &mut dyn FnMut(Captured)) -> Result<(), ReadError> {
         match self.format {
             Format::Auto | Format::Bin => self.bytes(piece, item),
             Format::Hex => {
@@ -137,7 +137,7 @@ impl Reader {
     /// Reports the frames behind a false start whose bytes have stopped coming.
     ///
     /// A beginning with no whole frame behind it goes on waiting, so that a frame that comes slowly stays whole.
-    pub fn idle(&mut self, item: &mut dyn FnMut(Item)) {
+    pub fn idle(&mut self, item: &mut dyn FnMut(Captured)) {
         while holds_frame(self.decoder.clone()) {
             loop {
                 let event = match self.decoder.next(&mut &[][..]) {
@@ -159,7 +159,7 @@ impl Reader {
     ///
     /// # Errors
     /// When the capture is not what its format says.
-    pub fn finish(&mut self, item: &mut dyn FnMut(Item)) -> Result<(), ReadError> {
+    pub fn finish(&mut self, item: &mut dyn FnMut(Captured)) -> Result<(), ReadError> {
         if self.format == Format::Auto {
             let format = self.beginning.at_end();
             self.begin(format, item)?;
@@ -175,13 +175,13 @@ impl Reader {
         Ok(())
     }
 
-    fn bytes(&mut self, mut bytes: &[u8], item: &mut dyn FnMut(Item)) {
+    fn bytes(&mut self, mut bytes: &[u8], item: &mut dyn FnMut(Captured)) {
         while let Some(event) = self.decoder.next(&mut bytes) {
             report(&mut self.skipped, &event, item);
         }
     }
 
-    fn log(&mut self, piece: &[u8], item: &mut dyn FnMut(Item)) {
+    fn log(&mut self, piece: &[u8], item: &mut dyn FnMut(Captured)) {
         for part in piece.split_inclusive(|byte| *byte == b'\n') {
             self.line_length += part.len();
             let room = LONGEST_LINE.saturating_sub(self.line.len());
@@ -192,7 +192,7 @@ impl Reader {
         }
     }
 
-    fn end_line(&mut self, item: &mut dyn FnMut(Item)) {
+    fn end_line(&mut self, item: &mut dyn FnMut(Captured)) {
         self.lines += 1;
         let (at, length) = (self.lines, std::mem::take(&mut self.line_length));
         let whole = length == self.line.len();
@@ -202,11 +202,11 @@ impl Reader {
             Some(LogLine { time, version, direction, id, length, payload })
                 if payload.len() == length && id != 0 =>
             {
-                item(Item::Frame { at, time, version, direction, id, payload });
+                item(Captured::Frame { at, time, version, direction, id, payload });
             }
-            Some(_) => item(Item::Skipped { at, length, cause: Cause::Truncated }),
+            Some(_) => item(Captured::Skipped { at, length, cause: Cause::Truncated }),
             None if whole && text.is_empty() => {}
-            None => item(Item::Skipped { at, length, cause: Cause::NoStartByte }),
+            None => item(Captured::Skipped { at, length, cause: Cause::NoStartByte }),
         }
         self.line.clear();
     }
@@ -231,11 +231,11 @@ fn holds_frame(mut decoder: Decoder) -> bool {
 const LONGEST_LINE: usize = 4096;
 
 /// Reports frames at once, and skipped bytes as whole runs, so that the pieces in which they came do not show.
-fn report(run: &mut Option<Skipped>, event: &Event<'_>, item: &mut dyn FnMut(Item)) {
+fn report(run: &mut Option<Skipped>, event: &Event<'_>, item: &mut dyn FnMut(Captured)) {
     match event {
         Event::Frame { at, frame } => {
             flush(run, item);
-            item(Item::Frame {
+            item(Captured::Frame {
                 at: *at,
                 time: None,
                 version: Some(frame.version),
@@ -255,9 +255,9 @@ fn report(run: &mut Option<Skipped>, event: &Event<'_>, item: &mut dyn FnMut(Ite
     }
 }
 
-fn flush(run: &mut Option<Skipped>, item: &mut dyn FnMut(Item)) {
+fn flush(run: &mut Option<Skipped>, item: &mut dyn FnMut(Captured)) {
     if let Some(Skipped { at, length, cause }) = run.take() {
-        item(Item::Skipped { at, length, cause });
+        item(Captured::Skipped { at, length, cause });
     }
 }
 
@@ -329,7 +329,7 @@ fn is_log_line(line: &[u8]) -> bool {
 mod tests {
     use super::*;
 
-    fn read(format: Format, capture: &[u8], piece: usize) -> Vec<Item> {
+    fn read(format: Format, capture: &[u8], piece: usize) -> Vec<Captured> {
         let (mut reader, mut items) = (Reader::new(format), Vec::new());
         for piece in capture.chunks(piece) {
             reader.feed(piece, &mut |item| items.push(item)).unwrap();
@@ -338,8 +338,15 @@ mod tests {
         items
     }
 
-    fn frame(at: u64, version: Version, id: u8, payload: &[u8]) -> Item {
-        Item::Frame { at, time: None, version: Some(version), direction: None, id, payload: payload.to_vec() }
+    fn frame(at: u64, version: Version, id: u8, payload: &[u8]) -> Captured {
+        Captured::Frame {
+            at,
+            time: None,
+            version: Some(version),
+            direction: None,
+            id,
+            payload: payload.to_vec(),
+        }
     }
 
     #[test]
@@ -350,9 +357,12 @@ mod tests {
         assert_eq!(read(Format::Auto, b"3E 52 01 53 01 01", 100), expected);
         let log = read(Format::Auto, b"12:00:01 out: [82,1] 01\nnoise\n12:00:02 in: [67,2] 16", 100);
         assert_eq!(log.len(), 3);
-        assert!(matches!(&log[0], Item::Frame { at: 1, direction: Some(Direction::Outgoing), id: 82, .. }));
-        assert_eq!(log[1], Item::Skipped { at: 2, length: 6, cause: Cause::NoStartByte });
-        assert_eq!(log[2], Item::Skipped { at: 3, length: 22, cause: Cause::Truncated });
+        assert!(matches!(
+            &log[0],
+            Captured::Frame { at: 1, direction: Some(Direction::Outgoing), id: 82, .. }
+        ));
+        assert_eq!(log[1], Captured::Skipped { at: 2, length: 6, cause: Cause::NoStartByte });
+        assert_eq!(log[2], Captured::Skipped { at: 3, length: 22, cause: Cause::Truncated });
     }
 
     #[test]
@@ -422,8 +432,8 @@ mod tests {
         capture.extend_from_slice(b"\n1 in: [67,2] 5D FF\n");
         for piece in [1000, 4096, 65_536, 200_000] {
             let items = read(Format::Log, &capture, piece);
-            assert_eq!(items[0], Item::Skipped { at: 1, length: 100_001, cause: Cause::NoStartByte });
-            assert!(matches!(&items[1], Item::Frame { at: 2, id: 67, .. }), "{items:?}");
+            assert_eq!(items[0], Captured::Skipped { at: 1, length: 100_001, cause: Cause::NoStartByte });
+            assert!(matches!(&items[1], Captured::Frame { at: 2, id: 67, .. }), "{items:?}");
         }
     }
 
@@ -438,10 +448,12 @@ mod tests {
         assert!(whole.contains(&frame(11, Version::V2, 82, &[1])));
         assert!(matches!(
             whole.last(),
-            Some(Item::Skipped { cause: Cause::Truncated | Cause::NoStartByte, .. })
+            Some(Captured::Skipped { cause: Cause::Truncated | Cause::NoStartByte, .. })
         ));
-        let skipped: usize =
-            whole.iter().map(|item| if let Item::Skipped { length, .. } = item { *length } else { 0 }).sum();
+        let skipped: usize = whole
+            .iter()
+            .map(|item| if let Captured::Skipped { length, .. } = item { *length } else { 0 })
+            .sum();
         assert_eq!(skipped, capture.len() - 7, "every other byte is accounted for");
         for piece in 1..capture.len() {
             assert_eq!(read(Format::Bin, &capture, piece), whole, "pieces of {piece}");

@@ -203,7 +203,7 @@ impl<W: Write> Recorder<W> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::capture::{Format, Item, Reader};
+    use crate::capture::{Captured, Format, Reader};
     use tokio::io::{AsyncReadExt, AsyncWriteExt};
 
     #[tokio::test(start_paused = true)]
@@ -250,10 +250,10 @@ mod tests {
         let read: Vec<_> = items
             .iter()
             .map(|item| match item {
-                Item::Frame { time, version, direction, id, payload, .. } => {
+                Captured::Frame { time, version, direction, id, payload, .. } => {
                     (time.unwrap().as_millis(), *version, direction.unwrap(), *id, payload.clone())
                 }
-                Item::Skipped { .. } => panic!("{item:?}"),
+                Captured::Skipped { .. } => panic!("{item:?}"),
             })
             .collect();
         let version = Some(Version::V1);

@@ -6,12 +6,12 @@ use bytes::Bytes;
 use sbgc_proto::{CommandId, Direction};
 use tokio::time::{Instant, sleep_until};
 
-use super::{Item, likely_direction};
+use super::{Captured, likely_direction};
 use crate::{Gimbal, Result};
 
 /// A frame to be sent.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Step {
+pub struct ReplayStep {
     /// When, counted from the first frame.
     pub after: Duration,
     /// Id of the command.
@@ -23,7 +23,7 @@ pub struct Step {
 /// What a capture's host sent, in its order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Replay {
-    steps: Vec<Step>,
+    steps: Vec<ReplayStep>,
 }
 
 /// Clocks of a day start again; anything else that goes backwards is taken as no distance.
@@ -34,10 +34,10 @@ impl Replay {
     ///
     /// Where the capture has no directions, those are taken that an answer or sample cannot be. Without times the
     /// frames follow each other as fast as the board takes them.
-    pub fn new(items: impl IntoIterator<Item = Item>) -> Self {
+    pub fn new(items: impl IntoIterator<Item = Captured>) -> Self {
         let (mut steps, mut after, mut last) = (Vec::new(), Duration::ZERO, None);
         for item in items {
-            let Item::Frame { time, direction, id, payload, .. } = item else { continue };
+            let Captured::Frame { time, direction, id, payload, .. } = item else { continue };
             let command = CommandId::from_raw(id);
             if direction.unwrap_or_else(|| likely_direction(command, payload.len())) != Direction::Outgoing {
                 continue;
@@ -46,13 +46,13 @@ impl Replay {
                 after += distance(last, time);
             }
             last = time.or(last);
-            steps.push(Step { after, command, payload: payload.into() });
+            steps.push(ReplayStep { after, command, payload: payload.into() });
         }
         Self { steps }
     }
 
     /// The frames, with the times at which they are sent.
-    pub fn steps(&self) -> &[Step] {
+    pub fn steps(&self) -> &[ReplayStep] {
         &self.steps
     }
 
@@ -67,7 +67,7 @@ impl Replay {
     ///
     /// # Errors
     /// If a frame does not fit the board's input buffer, or the link has ended.
-    pub async fn run(&self, gimbal: &Gimbal, speed: f64, mut sent: impl FnMut(&Step)) -> Result<()> {
+    pub async fn run(&self, gimbal: &Gimbal, speed: f64, mut sent: impl FnMut(&ReplayStep)) -> Result<()> {
         let began = Instant::now();
         for step in &self.steps {
             let after =

@@ -17,7 +17,7 @@ use super::block::{Block, Place, Profile, has};
 use super::catalog::Catalog;
 use super::error::{ParamsError, Result};
 use super::parameter::text_of;
-use super::plan::{Plan, Step};
+use super::plan::{Plan, PlannedBlock};
 use super::set::{Blocks, Snapshot, differences};
 use crate::{Error, Gimbal};
 
@@ -147,7 +147,7 @@ impl Parameters {
     ///
     /// # Errors
     /// If writing ends on the way, if the blocks cannot be read back, or if the board holds something else.
-    pub async fn write(&self, plan: &Plan, mut written: impl FnMut(&Step)) -> Result<()> {
+    pub async fn write(&self, plan: &Plan, mut written: impl FnMut(&PlannedBlock)) -> Result<()> {
         self.write_steps(plan, &mut written).await?;
         let places = || plan.steps().iter().map(|step| step.place).collect();
         match self.verify(plan).await {
@@ -162,12 +162,12 @@ impl Parameters {
         }
     }
 
-    async fn write_steps(&self, plan: &Plan, written: &mut impl FnMut(&Step)) -> Result<()> {
+    async fn write_steps(&self, plan: &Plan, written: &mut impl FnMut(&PlannedBlock)) -> Result<()> {
         let bracket = if plan.is_bracketed() { self.open_bracket().await? } else { None };
         for (at, step) in plan.steps().iter().enumerate() {
             if let Err(source) = self.write_step(step).await {
                 let (before, left) = plan.steps().split_at_checked(at).unwrap_or_default();
-                let places = |steps: &[Step]| steps.iter().map(|step| step.place).collect();
+                let places = |steps: &[PlannedBlock]| steps.iter().map(|step| step.place).collect();
                 return Err(ParamsError::Interrupted { written: places(before), left: places(left), source });
             }
             written(step);
@@ -190,7 +190,7 @@ impl Parameters {
     }
 
     /// Writes a block. A write whose confirmation does not come is looked after, and repeated when it did not come.
-    async fn write_step(&self, step: &Step) -> crate::Result<()> {
+    async fn write_step(&self, step: &PlannedBlock) -> crate::Result<()> {
         let Err(error) = self.send_step(step).await else { return Ok(()) };
         if !matches!(error, Error::Timeout { .. }) {
             return Err(error);
@@ -208,7 +208,7 @@ impl Parameters {
         }
     }
 
-    async fn send_step(&self, step: &Step) -> crate::Result<()> {
+    async fn send_step(&self, step: &PlannedBlock) -> crate::Result<()> {
         let payload = Bytes::copy_from_slice(&step.after);
         self.gimbal.request_raw(step.place.block.write_id(), payload, CommandId::CONFIRM).await.map(drop)
     }

@@ -57,6 +57,6 @@ pub use error::{ParamsError, Result};
 pub use file::{Applied, FileError, FileProblem, ParameterFile};
 pub use gui::{Filled, GuiError, GuiFile, GuiProblem, Include};
 pub use parameter::{Parameter, Value, ValueError};
-pub use plan::{Plan, PlannedCommand, Step};
+pub use plan::{Plan, PlannedBlock, PlannedCommand};
 pub use quantity::UnitError;
 pub use set::{Blocks, Difference, Snapshot, Values};

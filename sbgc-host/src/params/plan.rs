@@ -13,12 +13,12 @@ use super::set::{Blocks, Difference, differences};
 #[derive(Clone, Debug)]
 pub struct Plan {
     firmware: FirmwareVersion,
-    steps: Vec<Step>,
+    steps: Vec<PlannedBlock>,
 }
 
 /// A block that is going to be written.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Step {
+pub struct PlannedBlock {
     /// Which one.
     pub place: Place,
     /// The payload that the board has.
@@ -27,7 +27,7 @@ pub struct Step {
     pub after: Vec<u8>,
 }
 
-impl Step {
+impl PlannedBlock {
     /// Whether `payload` is what was to be written, leaving out what the board sets by itself.
     pub(super) fn is_done(&self, payload: &[u8]) -> bool {
         let mut expected = self.after.clone();
@@ -67,7 +67,7 @@ impl Plan {
                 && held != payload
             {
                 let place = Place { profile, block };
-                self.steps.push(Step { place, before: held.to_vec(), after: payload.to_vec() });
+                self.steps.push(PlannedBlock { place, before: held.to_vec(), after: payload.to_vec() });
             }
         }
     }
@@ -78,7 +78,7 @@ impl Plan {
     }
 
     /// The blocks that are going to be written, in their order.
-    pub fn steps(&self) -> &[Step] {
+    pub fn steps(&self) -> &[PlannedBlock] {
         &self.steps
     }
 
@@ -89,7 +89,7 @@ impl Plan {
 
     /// What is going to change.
     pub fn differences(&self) -> Vec<Difference> {
-        let of_step = |step: &Step| differences(step.place, self.firmware, &step.before, &step.after);
+        let of_step = |step: &PlannedBlock| differences(step.place, self.firmware, &step.before, &step.after);
         self.steps.iter().flat_map(of_step).collect()
     }
 
@@ -122,6 +122,6 @@ impl Plan {
 
     /// The plan that takes back what this one does.
     pub(super) fn undone(&self) -> Self {
-        Self { firmware: self.firmware, steps: self.steps.iter().rev().map(Step::undone).collect() }
+        Self { firmware: self.firmware, steps: self.steps.iter().rev().map(PlannedBlock::undone).collect() }
     }
 }

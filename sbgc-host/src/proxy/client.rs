@@ -4,11 +4,11 @@ use std::future::poll_fn;
 use std::io;
 use std::pin::Pin;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::task::Poll;
 use std::time::Duration;
 
-use bytes::{BufMut as _, Bytes, BytesMut};
+use bytes::Bytes;
 use sbgc_proto::commands::{DataStreamInterval, ErrorCode};
 use sbgc_proto::frame::{Decoder, Event, MAX_FRAME, Version, Versions, encode_into};
 use sbgc_proto::{CommandId, Message as _, RequestInfo};
@@ -18,7 +18,7 @@ use tokio::sync::{Semaphore, mpsc};
 use tokio::task::JoinSet;
 use tokio::time::timeout;
 
-use super::SETPOINTS;
+use super::outbox::{Outbox, Outgoing};
 use super::strays::Strays;
 use super::streams::Streams;
 use crate::{Error, Gimbal};
@@ -38,43 +38,18 @@ const GAP: Duration = Duration::from_millis(100);
 /// How long an answer may take that the work comes before.
 const SLOW: Duration = Duration::from_secs(30);
 
-/// A frame for a client.
-pub(super) type Outgoing = (CommandId, Bytes);
-
-/// Where frames for a client wait.
-#[derive(Clone, Debug)]
-pub(super) struct Outbox {
-    sender: mpsc::Sender<Outgoing>,
-    /// Whether it spoke version 1 last.
-    old: Arc<AtomicBool>,
-}
-
-impl Outbox {
-    /// Puts in an answer, which waits for room.
-    pub(super) async fn answer(&self, id: CommandId, payload: Bytes) {
-        // A client that has left needs no answer.
-        let _ = self.sender.send((id, payload)).await;
-    }
-
-    /// Puts in a sample, which is lost where there is no room. False when the client has left.
-    pub(super) fn sample(&self, id: CommandId, payload: Bytes) -> bool {
-        !matches!(self.sender.try_send((id, payload)), Err(mpsc::error::TrySendError::Closed(_)))
-    }
-
-    /// Whether the client has left.
-    pub(super) fn is_closed(&self) -> bool {
-        self.sender.is_closed()
-    }
-
-    /// Puts in a refusal.
-    pub(super) async fn refuse(&self, command: CommandId, code: u8, data: &[u8]) {
-        let mut payload = BytesMut::with_capacity(2 + data.len().max(4));
-        payload.extend_from_slice(&[command.raw(), code]);
-        payload.extend_from_slice(data);
-        payload.put_bytes(0, 4_usize.saturating_sub(data.len()));
-        self.answer(CommandId::Error, payload.freeze()).await;
-    }
-}
+/// Commands that say where to go or how fast, and follow each other without waiting for confirmations.
+const SETPOINTS: [CommandId; 9] = [
+    CommandId::Control,
+    CommandId::ControlExt,
+    CommandId::ControlQuat,
+    CommandId::ExtMotorsControl,
+    CommandId::ServoOut,
+    CommandId::ServoOutExt,
+    CommandId::ApiVirtChControl,
+    CommandId::ApiVirtChHighRes,
+    CommandId::HelperData,
+];
 
 /// What the proxy knows of a client.
 pub(super) struct Client {

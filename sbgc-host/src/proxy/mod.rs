@@ -13,12 +13,12 @@
 //! and is disconnected when it does not even take answers.
 
 mod client;
+mod outbox;
 mod strays;
 mod streams;
 
 use std::sync::Arc;
 
-use sbgc_proto::CommandId;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 use tokio::task::JoinSet;
@@ -48,19 +48,6 @@ impl Default for ProxyOptions {
         Self { read_only: false, clients: 16 }
     }
 }
-
-/// Commands that say where to go or how fast, and follow each other without waiting for confirmations.
-const SETPOINTS: [CommandId; 9] = [
-    CommandId::Control,
-    CommandId::ControlExt,
-    CommandId::ControlQuat,
-    CommandId::ExtMotorsControl,
-    CommandId::ServoOut,
-    CommandId::ServoOutExt,
-    CommandId::ApiVirtChControl,
-    CommandId::ApiVirtChHighRes,
-    CommandId::HelperData,
-];
 
 /// Serves clients until the connection to the board ends.
 ///

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use bytes::Bytes;
 use sbgc_proto::CommandId;
 
-use super::client::Outbox;
+use super::outbox::Outbox;
 use crate::Gimbal;
 use crate::streams::Sample;
 

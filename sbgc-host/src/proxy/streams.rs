@@ -8,7 +8,7 @@ use sbgc_proto::{CommandId, Message as _};
 use tokio::task::AbortHandle;
 use tokio::task::JoinSet;
 
-use super::client::Outbox;
+use super::outbox::Outbox;
 use super::strays::Strays;
 use crate::streams::Sample;
 use crate::{Error, Gimbal, StreamRequest, Subscription};

@@ -59,9 +59,9 @@ mod pending;
 mod scan;
 
 pub use counters::Counters;
-pub use decoder::{Decoder, Event, Skipped};
+pub use decoder::{Decoder, Event};
 pub use encode::{EncodeFrameError, append, encode_into, encode_with};
-pub use scan::{Cause, Scan, scan};
+pub use scan::{Cause, Scan, Skipped, scan};
 
 /// The longest payload in bytes that a frame can announce.
 pub const MAX_PAYLOAD: usize = 255;

@@ -41,6 +41,29 @@ impl fmt::Display for Cause {
     }
 }
 
+/// Bytes that belong to no frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Skipped {
+    /// Where they start, in bytes from the start of the stream.
+    pub at: u64,
+    /// How many they are, at least 1.
+    pub length: usize,
+    /// Why they were skipped.
+    pub cause: Cause,
+}
+
+impl Skipped {
+    /// This and `next` as one, if `next` follows without a gap and has the same cause.
+    ///
+    /// The decoder reports at once what it skips, so a run of noise that was cut into chunks comes in as many
+    /// pieces. Joined, the pieces no longer show where the cuts were.
+    pub fn join(self, next: Self) -> Option<Self> {
+        let adjacent = self.at.checked_add(self.length as u64) == Some(next.at) && self.cause == next.cause;
+        adjacent.then(|| Self { length: self.length.saturating_add(next.length), ..self })
+    }
+}
+
 /// What [`scan`] found at the start of a slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scan<'a> {

@@ -33,6 +33,6 @@ pub use shape::{FieldInfo, Presence, Shape};
 pub use walk::{Describe, Leaf, Path, Place, Raw, Visitor, walk};
 
 pub(crate) use assign::assign_payload;
-pub(crate) use number::reflect_number;
 use walk::walk_elements;
 pub(crate) use walk::walk_payload;
+pub(crate) use wire_types::reflect_number;

@@ -129,43 +129,6 @@ pub trait NumberType: Sized {
     fn from_raw_number(raw: i64) -> Option<Self>;
 }
 
-/// Makes a [`NumberType`] a leaf of messages.
-macro_rules! reflect_number {
-    ($name:ty) => {
-        const _: () = {
-            use $crate::reflect::{
-                Assign, AssignError, Describe, FieldInfo, Input, NumberType, Place, Raw, Shape, Steps,
-                Visitor,
-            };
-
-            impl Describe for $name {
-                const SHAPE: Shape = Shape::Number(<$name as NumberType>::NUMBER);
-
-                fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
-                    let number = &<$name as NumberType>::NUMBER;
-                    place.leaf(number.scalar.size(), Some(number), Raw::Number(self.raw_number()), visitor)
-                }
-            }
-
-            impl<'a> Assign<'a> for $name {
-                fn assign(
-                    &mut self,
-                    path: Steps<'_>,
-                    value: Input<'a>,
-                    field: &'static FieldInfo,
-                ) -> Result<(), AssignError> {
-                    let number = &<$name as NumberType>::NUMBER;
-                    let raw = path.number(number, value, field)?;
-                    *self = <$name as NumberType>::from_raw_number(raw)
-                        .ok_or_else(|| number.out_of_range(None, field))?;
-                    Ok(())
-                }
-            }
-        };
-    };
-}
-pub(crate) use reflect_number;
-
 impl Number {
     /// Describes a number without unit, scale and names.
     pub const fn plain(scalar: Scalar) -> Self {

@@ -2,10 +2,47 @@
 
 use super::{
     Assign, AssignError, Describe, FieldInfo, Input, Number, NumberType, Place, Raw, Scalar, Shape, Steps,
-    Visitor, hex_bytes, reflect_number, text_bytes, walk_elements,
+    Visitor, hex_bytes, text_bytes, walk_elements,
 };
 use crate::EncodeError;
 use crate::wire::{Bytes, Element, FixedText, Float, List, Packed, PerAxis, PerXyz, Reserved, Text, U24};
+
+/// Makes a [`NumberType`] a leaf of messages.
+macro_rules! reflect_number {
+    ($name:ty) => {
+        const _: () = {
+            use $crate::reflect::{
+                Assign, AssignError, Describe, FieldInfo, Input, NumberType, Place, Raw, Shape, Steps,
+                Visitor,
+            };
+
+            impl Describe for $name {
+                const SHAPE: Shape = Shape::Number(<$name as NumberType>::NUMBER);
+
+                fn walk(&self, place: &Place<'_>, visitor: &mut dyn Visitor) -> usize {
+                    let number = &<$name as NumberType>::NUMBER;
+                    place.leaf(number.scalar.size(), Some(number), Raw::Number(self.raw_number()), visitor)
+                }
+            }
+
+            impl<'a> Assign<'a> for $name {
+                fn assign(
+                    &mut self,
+                    path: Steps<'_>,
+                    value: Input<'a>,
+                    field: &'static FieldInfo,
+                ) -> Result<(), AssignError> {
+                    let number = &<$name as NumberType>::NUMBER;
+                    let raw = path.number(number, value, field)?;
+                    *self = <$name as NumberType>::from_raw_number(raw)
+                        .ok_or_else(|| number.out_of_range(None, field))?;
+                    Ok(())
+                }
+            }
+        };
+    };
+}
+pub(crate) use reflect_number;
 
 macro_rules! integers {
     ($($integer:ident)*) => { $(

@@ -10,7 +10,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{FontStyle, register_font};
-use sbgc_host::capture::{Format, Interpreter, Item, Reader};
+use sbgc_host::capture::{Captured, Format, Interpreter, Reader};
 use sbgc_proto::reflect::{Leaf, Meaning, Raw};
 
 use crate::failure::Failure;
@@ -145,12 +145,12 @@ impl Plot {
         let (mut reader, mut items) = (Reader::new(Format::Auto), Vec::new());
         reader.feed(&bytes, &mut |item| items.push(item))?;
         reader.finish(&mut |item| items.push(item))?;
-        let timed = items.iter().any(|item| matches!(item, Item::Frame { time: Some(_), .. }));
+        let timed = items.iter().any(|item| matches!(item, Captured::Frame { time: Some(_), .. }));
         let mut tracks: BTreeMap<(u8, usize), Track> = BTreeMap::new();
         let mut interpreter = Interpreter::new(None);
         let (mut first, mut own_time) = (None, false);
         for item in items {
-            let Item::Frame { time, direction, id, payload, .. } = item else { continue };
+            let Captured::Frame { time, direction, id, payload, .. } = item else { continue };
             // Requests are read, too: they say what the samples hold.
             let Ok(message) = interpreter.interpret(direction, id, &payload) else { continue };
             if message.direction() == sbgc_proto::Direction::Outgoing {

@@ -7,7 +7,7 @@ use sbgc_host::Gimbal;
 use sbgc_host::storage::{EEPROM_PAGE, eeprom_portions};
 use serde_json::json;
 
-use super::{differences, dump};
+use super::bytes::{differences, dump};
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::options::Global;

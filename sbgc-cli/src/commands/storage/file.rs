@@ -8,7 +8,7 @@ use sbgc_host::storage::file_portions;
 use sbgc_proto::commands::{FileId, FileType, FsErrorCode, WriteFileDelete};
 use serde_json::{Value, json};
 
-use super::differences;
+use super::bytes::differences;
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::options::Global;

@@ -4,7 +4,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use sbgc_proto::commands::{I2cDevice, I2cPort, I2cWriteRegBuf};
 use serde_json::json;
 
-use super::dump;
+use super::bytes::dump;
 use crate::connect::with_board;
 use crate::failure::Failure;
 use crate::options::Global;

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use sbgc_host::capture::{Format, Item, Reader};
+use sbgc_host::capture::{Captured, Format, Reader};
 use sbgc_proto::Direction;
 
 use super::explain::Explainer;
@@ -116,7 +116,7 @@ fn read<T>(
     pieces: &Pieces,
     mut reader: Reader,
     taker: &mut T,
-    take: fn(&mut T, Option<Item>) -> io::Result<()>,
+    take: fn(&mut T, Option<Captured>) -> io::Result<()>,
 ) -> Result<(), Failure> {
     // Once is enough: what still waits then has nothing behind it.
     let mut is_idle = false;
@@ -149,7 +149,7 @@ fn read<T>(
 }
 
 /// Reads a capture as a whole.
-pub(super) fn read_all(path: &Path, format: Format) -> Result<Vec<Item>, Failure> {
+pub(super) fn read_all(path: &Path, format: Format) -> Result<Vec<Captured>, Failure> {
     signals::blocking(|| {
         let mut items = Vec::new();
         read(&Pieces::open(Some(path))?, Reader::new(format), &mut items, |items, item| {

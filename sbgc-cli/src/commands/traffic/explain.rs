@@ -2,7 +2,7 @@
 
 use std::io::{self, Write as _};
 
-use sbgc_host::capture::{Interpreted, Interpreter, Item};
+use sbgc_host::capture::{Captured, Interpreted, Interpreter};
 use sbgc_proto::frame::{Cause, Decoder, Event, Version, Versions};
 use sbgc_proto::reflect::Leaf;
 use sbgc_proto::{CommandId, DecodeError, Direction};
@@ -39,11 +39,11 @@ impl<'o> Explainer<'o> {
         Self { interpreter: Interpreter::new(custom_flags), direction, output, line: Line::default() }
     }
 
-    pub(super) fn print(&mut self, item: Item) -> io::Result<()> {
+    pub(super) fn print(&mut self, item: Captured) -> io::Result<()> {
         self.line.clear();
         match item {
-            Item::Skipped { at, length, cause } => self.skipped(at, length, cause),
-            Item::Frame { at, version, direction, id, payload, .. } => {
+            Captured::Skipped { at, length, cause } => self.skipped(at, length, cause),
+            Captured::Frame { at, version, direction, id, payload, .. } => {
                 let direction = self.direction.or(direction);
                 let direction = direction.unwrap_or_else(|| Interpreter::likely_direction(id, payload.len()));
                 let name = CommandId::from_raw(id).spec_name(direction);

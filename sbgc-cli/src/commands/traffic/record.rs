@@ -7,7 +7,7 @@ use std::time::{Duration, SystemTime};
 
 use clap::Args;
 use sbgc_host::Gimbal;
-use sbgc_host::capture::{Frames, Item, Passed, Recorder};
+use sbgc_host::capture::{Captured, Frames, Passed, Recorder};
 
 use super::explain::Explainer;
 use crate::connect::with_tapped_board;
@@ -131,7 +131,7 @@ impl Sink<'_, '_> {
         if self.explainer.output.is_json() {
             let Passed { direction, version, id, payload, .. } = passed.clone();
             let (at, direction, version) = (self.frames, Some(direction), Some(version));
-            self.explainer.print(Item::Frame { at, time: None, version, direction, id, payload })?;
+            self.explainer.print(Captured::Frame { at, time: None, version, direction, id, payload })?;
             self.explainer.output.flush()?;
         }
         Ok(())

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use sbgc_host::capture::{self, Format, Item, Step};
+use sbgc_host::capture::{self, Captured, Format, ReplayStep};
 use sbgc_proto::Direction;
 use serde_json::json;
 
@@ -75,10 +75,10 @@ impl Replay {
             let mut shown = Ok(());
             let mut explainer = Explainer::new(None, None, output);
             let mut at = 0;
-            let mut show = |step: &Step| {
+            let mut show = |step: &ReplayStep| {
                 at += 1;
                 if explainer.output.is_json() && shown.is_ok() {
-                    let frame = Item::Frame {
+                    let frame = Captured::Frame {
                         at,
                         time: None,
                         version: Some(gimbal.version()),

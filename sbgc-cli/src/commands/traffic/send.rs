@@ -5,7 +5,7 @@ use std::time::Duration;
 use clap::{ArgGroup, Args};
 use clap_complete::engine::ArgValueCandidates;
 use sbgc_host::Gimbal;
-use sbgc_host::capture::Item;
+use sbgc_host::capture::Captured;
 use sbgc_proto::frame::{Decoder, Event, Versions};
 use sbgc_proto::{CommandId, Direction, RequestInfo};
 use serde_json::json;
@@ -116,7 +116,7 @@ async fn send(
 ) -> Result<(), Failure> {
     let info = RequestInfo::of_payload(command, &payload);
     let answer = info.and_then(|info| info.answer);
-    let item = |direction, command: CommandId, payload: &[u8]| Item::Frame {
+    let item = |direction, command: CommandId, payload: &[u8]| Captured::Frame {
         at: 0,
         time: None,
         version: Some(gimbal.version()),

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::io;
 
-use sbgc_host::capture::{Interpreter, Item};
+use sbgc_host::capture::{Captured, Interpreter};
 use sbgc_proto::frame::Cause;
 use sbgc_proto::{CommandId, Direction};
 use serde_json::json;
@@ -36,12 +36,12 @@ impl Summary {
         }
     }
 
-    pub(super) fn count(&mut self, item: Item) {
+    pub(super) fn count(&mut self, item: Captured) {
         match item {
-            Item::Skipped { length, cause, .. } => {
+            Captured::Skipped { length, cause, .. } => {
                 *self.skipped.entry(cause).or_default() += u64::try_from(length).unwrap_or_default();
             }
-            Item::Frame { version, direction, id, payload, .. } => {
+            Captured::Frame { version, direction, id, payload, .. } => {
                 let direction = self.direction.or(direction);
                 let direction = direction.unwrap_or_else(|| Interpreter::likely_direction(id, payload.len()));
                 let decoded = self.interpreter.interpret(Some(direction), id, &payload).is_ok();

@@ -6,8 +6,8 @@ use clap::Args;
 use sbgc_host::{ControlSession, Setpoint};
 use sbgc_proto::wire::PerAxis;
 
+use super::limits::rate;
 use super::own::{End, members, own};
-use super::rate;
 use crate::connect::with_board_to_the_end;
 use crate::failure::Failure;
 use crate::options::Global;

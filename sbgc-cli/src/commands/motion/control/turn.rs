@@ -6,8 +6,8 @@ use clap::Args;
 use sbgc_host::{Gimbal, Setpoint};
 use sbgc_proto::wire::PerAxis;
 
+use super::limits::{angle, speed};
 use super::own::{End, members, own};
-use super::{angle, speed};
 use crate::connect::with_board_to_the_end;
 use crate::failure::Failure;
 use crate::options::Global;

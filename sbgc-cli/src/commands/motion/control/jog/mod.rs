@@ -15,8 +15,8 @@ use tokio::time::{Instant, MissedTickBehavior};
 
 use self::pilot::{Pilot, Wish};
 use self::screen::{Keys, Screen};
+use super::limits::speed;
 use super::own::{End, own};
-use super::speed;
 use crate::connect::with_board_to_the_end;
 use crate::failure::{Failure, until_stopped};
 use crate::options::Global;

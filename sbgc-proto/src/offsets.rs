@@ -8,7 +8,7 @@ use crate::wire::Slot;
 /// The file that the macros read.
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/commands/offsets.txt");
 
-/// Compares the file with the declaration of a structure; with `SBGC_OFFSETS=write`, writes it there.
+/// Compares the file with the declaration of a structure; with `UPDATE_OFFSETS=1`, writes it there.
 pub(crate) fn check(structure: &str, slots: &[Slot]) {
     /// One test at a time writes.
     static WRITING: Mutex<()> = Mutex::new(());
@@ -21,7 +21,7 @@ pub(crate) fn check(structure: &str, slots: &[Slot]) {
     }
     let has_offsets = line != structure;
     let is_of = |line: &str| line.split(' ').next() == Some(structure);
-    if std::env::var_os("SBGC_OFFSETS").is_some_and(|value| value == "write") {
+    if std::env::var_os("UPDATE_OFFSETS").is_some() {
         let _guard = WRITING.lock().unwrap_or_else(PoisonError::into_inner);
         let text = std::fs::read_to_string(FILE).unwrap_or_default();
         let mut lines: Vec<&str> = text.lines().filter(|line| !is_of(line)).collect();
@@ -33,6 +33,6 @@ pub(crate) fn check(structure: &str, slots: &[Slot]) {
     let text = std::fs::read_to_string(FILE).unwrap();
     let known = text.lines().find(|line| is_of(line));
     let expected = has_offsets.then_some(line.as_str());
-    let remedy = "SBGC_OFFSETS=write cargo test -p sbgc-proto --all-features --lib offsets_of";
+    let remedy = "UPDATE_OFFSETS=1 cargo test -p sbgc-proto --all-features --lib offsets_of";
     assert_eq!(known, expected, "the documentation shows other offsets; run `{remedy}`");
 }

@@ -1,4 +1,4 @@
-//! The three checks of a frame.
+//! Checksums of frames.
 //!
 //! # The CRC without a table
 //! The polynomial of version 2 is `x^16 + x^15 + x^2 + 1 = (x + 1) (x^15 + x + 1)`. Both factors are so sparse that
@@ -10,17 +10,17 @@
 //! That is faster than a table of 512 bytes on a microcontroller, as fast as one of 8 KiB on a computer, and takes no
 //! room in flash or cache, so there is nothing to choose between.
 
-/// The header checksum of both versions: id plus payload size, modulo 256.
+/// Header checksum of both versions: id plus payload size, modulo 256.
 pub const fn header_sum(id: u8, size: u8) -> u8 {
     id.wrapping_add(size)
 }
 
-/// The payload checksum of version 1: the sum of the payload bytes, modulo 256.
+/// Payload checksum of version 1: the sum of the payload bytes, modulo 256.
 pub fn payload_sum(payload: &[u8]) -> u8 {
     payload.iter().fold(0, |sum, &byte| sum.wrapping_add(byte))
 }
 
-/// The CRC16 of version 2, which covers everything from the id to the last payload byte.
+/// CRC16 of version 2, which covers all bytes from the id to the last payload byte.
 ///
 /// In the terms of the Rocksoft model: polynomial 0x8005, initial value 0, input reflected, output not reflected, no
 /// final XOR. It is CRC-16/ARC with its result bit-reversed and has no name in the usual catalogues.

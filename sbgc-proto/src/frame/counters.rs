@@ -1,10 +1,11 @@
-//! What became of the bytes of a stream.
+//! Counters of frames and skipped bytes.
 
 use super::{Cause, Skipped};
 
-/// What became of all bytes so far.
+/// Counters of a decoder: frames, and skipped bytes by cause.
 ///
-/// `bytes()` here plus [`Decoder::pending`](super::Decoder::pending) is the number of bytes the decoder was given.
+/// [`bytes`](Self::bytes) plus [`Decoder::pending`](super::Decoder::pending) is the number of bytes given to the
+/// decoder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Counters {
@@ -14,11 +15,11 @@ pub struct Counters {
     pub frame_bytes: u64,
     /// Bytes skipped for [`Cause::NoStartByte`].
     pub no_start_byte: u64,
-    /// Bytes skipped for [`Cause::HeaderChecksum`]: one for each refused header.
+    /// Bytes skipped for [`Cause::HeaderChecksum`], one for each rejected header.
     pub header_checksum: u64,
-    /// Bytes skipped for [`Cause::PayloadChecksum`]: one for each refused payload.
+    /// Bytes skipped for [`Cause::PayloadChecksum`], one for each rejected payload.
     pub payload_checksum: u64,
-    /// Bytes skipped for [`Cause::Truncated`]: one for each frame that was given up.
+    /// Bytes skipped for [`Cause::Truncated`], one for each abandoned frame.
     pub truncated: u64,
 }
 
@@ -33,12 +34,12 @@ impl Counters {
         }
     }
 
-    /// Bytes skipped for whatever cause.
+    /// Bytes skipped for any cause.
     pub const fn skipped(&self) -> u64 {
         self.no_start_byte + self.header_checksum + self.payload_checksum + self.truncated
     }
 
-    /// Bytes in frames and bytes skipped.
+    /// Bytes in frames plus bytes skipped.
     pub const fn bytes(&self) -> u64 {
         self.frame_bytes + self.skipped()
     }

@@ -1,41 +1,41 @@
-//! Frames out of a stream that comes in chunks.
+//! Incremental decoder of frames.
 
 use super::counters::Tally;
 use super::pending::Pending;
 use super::scan::{Header, Measure, measure};
 use super::{Cause, Counters, Frame, HEADER, Skipped, Versions};
 
-/// What the [`Decoder`] found next in the stream.
+/// Event reported by the [`Decoder`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Event<'a> {
     /// A frame.
     Frame {
-        /// Where it starts, in bytes from the start of the stream.
+        /// Offset of its first byte in the stream.
         at: u64,
-        /// The frame.
+        /// Frame.
         frame: Frame<'a>,
     },
     /// Bytes that belong to no frame.
     Skipped(Skipped),
 }
 
-/// Finds frames in a stream that comes in chunks of any size.
+/// Incremental decoder that finds frames in a stream of chunks of any size.
 ///
-/// It allocates nothing. A frame that lies whole in the caller's chunk is lent from there; only one that
-/// straddles chunks is put together in the decoder's own buffer, which holds the longest frame. How the
-/// stream is cut changes neither the frames nor what is skipped, only in how many pieces a run of noise is
-/// reported (see [`Skipped::join`]).
+/// It does not allocate. A frame that lies completely in the caller's chunk is borrowed from it; only a frame that
+/// straddles chunks is assembled in the decoder's buffer, which holds one frame of maximum length. The chunk boundaries
+/// affect neither the frames nor the skipped bytes, only the number of pieces in which a run of noise is reported (see
+/// [`Skipped::join`]).
 ///
-/// Time is not its business. A start byte in noise may announce 255 bytes that never come, so a driver should
-/// look at [`pending`](Self::pending) when [`next`](Self::next) has returned `None` and, after a gap too long
-/// for one inside a frame, call [`skip_candidate`](Self::skip_candidate).
+/// The decoder does not know the time. A start byte in noise may announce 255 bytes that never arrive, so a driver
+/// should check [`pending`](Self::pending) when [`next`](Self::next) has returned `None`, and call
+/// [`skip_candidate`](Self::skip_candidate) after a gap that is too long for one within a frame.
 ///
-/// The work for one byte is bounded: it is checked as part of at most one candidate for each of the 260
-/// bytes before it, and of one, as a rule.
+/// The work per byte is bounded: each byte is checked as part of at most one candidate for each of the 260 bytes before
+/// it, and usually of a single one.
 ///
 /// # Borrowing
-/// An event may point into the decoder, so it must be gone before the next call:
+/// An event may borrow from the decoder, so it must be dropped before the next call:
 ///
 /// ```compile_fail,E0499
 /// use sbgc_proto::frame::{Decoder, Versions};
@@ -47,7 +47,7 @@ pub enum Event<'a> {
 /// assert!(first.is_some());
 /// ```
 ///
-/// and so must the chunk stay while it lives:
+/// An event may also borrow from the chunk, which must outlive it:
 ///
 /// ```compile_fail,E0597
 /// use sbgc_proto::frame::{Decoder, Versions};
@@ -68,15 +68,15 @@ pub struct Decoder {
 }
 
 impl Decoder {
-    /// A decoder at the start of a stream.
+    /// Creates a decoder at the start of a stream.
     pub const fn new(versions: Versions) -> Self {
         Self { versions, pending: Pending::new(), tally: Tally::new() }
     }
 
-    /// The next event, or `None` once `input` is used up.
+    /// Returns the next event, or `None` when `input` is used up.
     ///
-    /// Moves `input` on past what was used: after an event the caller may stop, and goes on later with what
-    /// `input` then holds. With an empty `input` it reports what is known without more bytes.
+    /// Advances `input` past the used bytes, so the caller can stop after any event and continue later with the rest.
+    /// With an empty `input`, it reports events that need no more bytes.
     ///
     /// ```
     /// use sbgc_proto::frame::{Decoder, Event, Versions};
@@ -102,11 +102,11 @@ impl Decoder {
         self.next_from_pending(input)
     }
 
-    /// Takes one byte, as an interrupt brings it, and returns the next event if one can be told.
+    /// Adds one byte, for example in an interrupt, and returns the next event, if any.
     ///
-    /// While a candidate lacks bytes this is a store and a comparison. There is room for the byte whatever was told
-    /// before, but a byte that ends a false candidate may bring more than one event; [`more`](Self::more) has the rest.
-    /// Whoever does not ask for it gets one more with each byte.
+    /// While a candidate is incomplete, this is one store and one comparison. A byte that ends a false candidate may
+    /// cause several events; [`more`](Self::more) returns the others. If it is not called, each further byte returns
+    /// one of them.
     ///
     /// ```
     /// use sbgc_proto::frame::{Decoder, Event, Versions};
@@ -131,25 +131,25 @@ impl Decoder {
         if self.is_ready() { self.more() } else { None }
     }
 
-    /// Takes one byte and leaves the look at it to [`more`](Self::more), which has to be called as long as the decoder
-    /// [is ready](Self::is_ready).
+    /// Adds one byte and leaves its processing to [`more`](Self::more), which must be called as long as the decoder [is
+    /// ready](Self::is_ready).
     #[inline]
     pub(crate) fn put(&mut self, byte: u8) {
         self.pending.push(byte);
     }
 
-    /// Whether there may be something to tell.
+    /// Whether there may be an event to report.
     #[inline]
     pub(crate) const fn is_ready(&self) -> bool {
         self.pending.lacks() == 0 && !self.pending.is_empty()
     }
 
-    /// The payload of a frame that [`more`](Self::more) told of last, until the next byte.
+    /// Payload of the frame that [`more`](Self::more) reported last; valid until the next byte.
     pub(crate) fn last_payload(&self, length: usize) -> &[u8] {
         self.pending.taken(HEADER, length)
     }
 
-    /// The next event that can be told without another byte.
+    /// Returns the next event that needs no further byte.
     pub fn more(&mut self) -> Option<Event<'_>> {
         loop {
             if !self.is_ready() {
@@ -221,10 +221,10 @@ impl Decoder {
         Event::Skipped(self.tally.skip(used, cause))
     }
 
-    /// The next event at the end of the stream, or `None` once all bytes are accounted for.
+    /// Returns the next event at the end of the stream, or `None` when all bytes are accounted for.
     ///
-    /// A frame without its end is skipped as [`Cause::Truncated`], one start byte a time, so that the frames
-    /// that hide behind a false start byte come out. The decoder can be used on: offsets and counters go on.
+    /// An incomplete frame is skipped as [`Cause::Truncated`], one start byte at a time, so that frames hidden behind a
+    /// false start byte are found. The decoder remains usable: offsets and counters continue.
     ///
     /// ```
     /// use sbgc_proto::frame::{Cause, Decoder, Event, Skipped, Versions};
@@ -249,14 +249,14 @@ impl Decoder {
         }
     }
 
-    /// Gives up the frame whose bytes have stopped coming and says what was skipped: its start byte.
+    /// Abandons the incomplete frame and returns its skipped start byte.
     ///
-    /// What came after that byte stays pending and is looked at again by the next call of
-    /// [`next`](Self::next), which needs no new bytes for it. There may be frames in it, and also the next
-    /// candidate that waits, whose bytes may yet come: whoever wants to end that one too calls again.
+    /// The bytes after it stay pending and are scanned again by the next call of [`next`](Self::next), which needs no
+    /// new bytes for that. They may contain frames, and another incomplete candidate: call again to abandon that one,
+    /// too.
     ///
-    /// `None`, and nothing changes, if no candidate waits for bytes: nothing is pending, or what is pending
-    /// can be told of by `next` first.
+    /// Returns `None` and changes nothing if no candidate is waiting for bytes: either nothing is pending, or `next`
+    /// can report the pending bytes first.
     ///
     /// ```
     /// use sbgc_proto::frame::{Decoder, Event, Versions};
@@ -288,37 +288,36 @@ impl Decoder {
         Some(self.tally.skip(1, Cause::Truncated))
     }
 
-    /// Bytes taken from the input that no event has told of, at most 260 after [`next`](Self::next) returned
-    /// `None`. If it did and this is not 0, a candidate waits for its bytes.
+    /// Number of bytes not yet reported by an event, at most 260 after [`next`](Self::next) returned `None`. If it did
+    /// and this is not 0, a candidate is waiting for its bytes.
     pub const fn pending(&self) -> usize {
         self.pending.len()
     }
 
-    /// Where the next event will start, in bytes from the start of the stream.
+    /// Offset in the stream at which the next event will start.
     pub const fn position(&self) -> u64 {
         self.tally.bytes()
     }
 
-    /// What became of all bytes since the start or the last [`reset`](Self::reset).
+    /// Counters since the start or the last [`reset`](Self::reset).
     ///
-    /// It counts in machine words: where they have 32 bits, so do the counters and the positions of events, and
-    /// begin again at 0 after 4 GiB.
+    /// Counters and event offsets are machine words internally: on 32-bit targets, they wrap to 0 after 4 GiB.
     pub const fn counters(&self) -> Counters {
         self.tally.counters()
     }
 
-    /// The versions that are accepted.
+    /// Accepted versions.
     pub const fn versions(&self) -> Versions {
         self.versions
     }
 
-    /// Accepts `versions` from the next byte on that no event has told of.
+    /// Accepts `versions` from the next byte that is not yet reported.
     pub const fn set_versions(&mut self, versions: Versions) {
         self.versions = versions;
         self.pending.look_again();
     }
 
-    /// Forgets the pending bytes and the counters and starts a new stream at position 0.
+    /// Discards pending bytes and counters and starts a new stream at offset 0.
     pub fn reset(&mut self) {
         *self = Self::new(self.versions);
     }

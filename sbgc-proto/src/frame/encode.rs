@@ -1,27 +1,27 @@
-//! Frames to bytes.
+//! Encoding of frames.
 
 use core::fmt;
 
 use super::checksum::{crc16, header_sum, payload_sum};
 use super::{HEADER, MAX_PAYLOAD, Version};
 
-/// Why a frame cannot be encoded.
+/// Reason why a frame cannot be encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum EncodeFrameError {
-    /// Id 0 is not a command; a receiver would refuse the frame.
+    /// Invalid command id 0; a receiver would reject the frame.
     ZeroId,
     /// The payload is longer than [`MAX_PAYLOAD`].
     PayloadTooLong {
-        /// Its length in bytes.
+        /// Length of the payload in bytes.
         length: usize,
     },
-    /// The frame does not fit what is free of the output.
+    /// The frame does not fit into the free part of the output.
     BufferTooSmall {
         /// Length of the frame in bytes.
         needed: usize,
-        /// Bytes that are free.
+        /// Number of free bytes.
         got: usize,
     },
 }
@@ -42,10 +42,10 @@ impl fmt::Display for EncodeFrameError {
 
 impl core::error::Error for EncodeFrameError {}
 
-/// Encodes one frame into the start of `out` and returns it.
+/// Encodes one frame at the start of `out` and returns it.
 ///
 /// # Errors
-/// [`EncodeFrameError`] if the id is 0, the payload is longer than [`MAX_PAYLOAD`] or `out` is too small.
+/// If the id is 0, the payload is longer than [`MAX_PAYLOAD`] or `out` is too small.
 ///
 /// ```
 /// use sbgc_proto::frame::{EncodeFrameError, MAX_FRAME, Version, encode_into};
@@ -76,14 +76,14 @@ pub fn encode_into<'o>(
     close(version, id, size, out)
 }
 
-/// Encodes one frame whose payload `write` puts in its place itself, so that it is never copied.
+/// Encodes one frame whose payload `write` writes in place, so that it is never copied.
 ///
-/// `write` is given the room that `out` has for a payload, at most [`MAX_PAYLOAD`] bytes whose content is
-/// whatever `out` held before, and returns how many bytes from its start are the payload.
+/// `write` receives the part of `out` that is available for the payload, at most [`MAX_PAYLOAD`] bytes with unspecified
+/// content, and returns the length of the payload.
 ///
 /// # Errors
-/// Whatever `write` returns, and [`EncodeFrameError`] if the id is 0, `out` is too small for an empty frame
-/// or `write` claims more bytes than it was given. What `out` then holds is not specified.
+/// If `write` fails, the id is 0, `out` is too small for an empty frame, or `write` returns a length greater than that
+/// of its buffer. The content of `out` is unspecified in that case.
 ///
 /// ```
 /// use sbgc_proto::frame::{EncodeFrameError, MAX_FRAME, Version, encode_with};
@@ -110,10 +110,10 @@ pub fn encode_with<E: From<EncodeFrameError>>(
     Ok(close(version, id, size, out)?)
 }
 
-/// Appends one frame to `out`, which is left as it was on an error.
+/// Appends one frame to `out`, which is unchanged on errors.
 ///
 /// # Errors
-/// [`EncodeFrameError`] if the id is 0, the payload is longer than [`MAX_PAYLOAD`] or `out` lacks room.
+/// If the id is 0, the payload is longer than [`MAX_PAYLOAD`], or `out` has not enough space.
 ///
 /// ```
 /// use sbgc_proto::frame::{Version, append};

@@ -12,9 +12,8 @@
 //!  id, payload ──► encode_into, encode_with, append ──► bytes
 //! ```
 //!
-//! Here live the layout of a frame, its checks and the way back into step after noise. What a payload
-//! means, when a gap between bytes is too long and how bytes are moved belong elsewhere: this module knows
-//! no message, no clock and no port.
+//! This module defines the layout of a frame, its checks and the resynchronization after noise. It knows neither
+//! messages nor time nor ports.
 //!
 //! # Decoding
 //!
@@ -63,35 +62,36 @@ pub use decoder::{Decoder, Event};
 pub use encode::{EncodeFrameError, append, encode_into, encode_with};
 pub use scan::{Cause, Scan, Skipped, scan};
 
-/// The longest payload in bytes that a frame can announce.
+/// Maximum payload length in bytes.
 pub const MAX_PAYLOAD: usize = 255;
 
-/// The longest frame in bytes: version 2 around a payload of [`MAX_PAYLOAD`].
+/// Maximum frame length in bytes: version 2 with a payload of [`MAX_PAYLOAD`] bytes.
 pub const MAX_FRAME: usize = Version::V2.frame_len(MAX_PAYLOAD);
 
-/// Size in bytes of the input buffer of a board.
+/// Size of the input buffer of a board in bytes.
 ///
-/// A frame that does not fit what is free of it is lost as a whole, so no frame to a board should be longer.
-/// See [`Version::safe_payload`].
+/// The board loses a frame that does not fit into the free part of the buffer, so no frame to a board should be longer
+/// than this. See [`Version::safe_payload`].
 pub const BOARD_BUFFER: usize = 255;
 
 /// Start byte, id, size and header checksum.
 const HEADER: usize = 4;
 
-/// The version of a frame.
+/// Protocol version of a frame.
 ///
-/// A board takes both until it sees the first valid frame of version 2, and from then on only version 2.
+/// A board accepts both versions until it receives the first valid frame of version 2; from then on, it accepts only
+/// version 2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Version {
-    /// Payload checked by the sum of its bytes. Every firmware knows it.
+    /// Version 1: the payload is checked by the sum of its bytes. Supported by all firmware.
     V1,
-    /// Header and payload checked by a CRC16. Firmware 2.68b0 and newer.
+    /// Version 2: header and payload are checked by a CRC16. Firmware 2.68b0+.
     V2,
 }
 
 impl Version {
-    /// 1 or 2.
+    /// Version number: 1 or 2.
     pub const fn number(self) -> u8 {
         match self {
             Self::V1 => 1,
@@ -99,7 +99,7 @@ impl Version {
         }
     }
 
-    /// The byte a frame of this version starts with.
+    /// Start byte of frames of this version.
     pub const fn start_byte(self) -> u8 {
         match self {
             Self::V1 => b'>',
@@ -107,7 +107,7 @@ impl Version {
         }
     }
 
-    /// The version whose frames start with `byte`, if there is one.
+    /// Returns the version whose frames start with `byte`, if there is one.
     pub const fn from_start_byte(byte: u8) -> Option<Self> {
         match byte {
             b'>' => Some(Self::V1),
@@ -116,7 +116,7 @@ impl Version {
         }
     }
 
-    /// Number of bytes of a frame that are not payload: 5 or 6.
+    /// Number of bytes in a frame besides the payload: 5 or 6.
     pub const fn overhead(self) -> usize {
         match self {
             Self::V1 => HEADER + 1,
@@ -124,28 +124,28 @@ impl Version {
         }
     }
 
-    /// Length in bytes of a frame around a payload of `payload` bytes.
+    /// Length in bytes of a frame with a payload of `payload` bytes.
     pub const fn frame_len(self, payload: usize) -> usize {
         self.overhead() + payload
     }
 
-    /// The longest payload in bytes whose frame fits the [input buffer of a board](BOARD_BUFFER): 250 in
+    /// Maximum payload length in bytes whose frame fits into the [input buffer of a board](BOARD_BUFFER): 250 in
     /// version 1, 249 in version 2.
     ///
-    /// The encoders do not enforce it, for a frame from a board, or between programs, may be longer.
+    /// Encoders do not enforce it, because frames from a board, or between programs, may be longer.
     pub const fn safe_payload(self) -> usize {
         BOARD_BUFFER - self.overhead()
     }
 }
 
-/// Which versions a decoder accepts. The start byte of any other counts as noise.
+/// Versions that a decoder accepts. The start byte of any other version counts as noise.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Versions {
-    /// Every version.
+    /// Both versions.
     #[default]
     Both,
-    /// This one and no other.
+    /// Only this version.
     Only(Version),
 }
 
@@ -160,7 +160,7 @@ impl Versions {
         }
     }
 
-    /// The accepted version whose frames start with `byte`, if there is one.
+    /// Returns the accepted version whose frames start with `byte`, if there is one.
     const fn of_start_byte(self, byte: u8) -> Option<Version> {
         match Version::from_start_byte(byte) {
             Some(version) if self.accepts(version) => Some(version),
@@ -169,15 +169,15 @@ impl Versions {
     }
 }
 
-/// One frame with its checks passed, in the version and with the payload bytes it had on the wire.
+/// Valid frame, with the version and the payload bytes that it had on the wire.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Frame<'a> {
-    /// The version it came in.
+    /// Protocol version.
     pub version: Version,
-    /// Command id, 1..=255.
+    /// Command id, 1 to 255.
     pub id: u8,
-    /// The payload, 0..=255 bytes.
+    /// Payload, 0 to 255 bytes.
     pub payload: &'a [u8],
 }
 

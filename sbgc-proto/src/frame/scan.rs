@@ -1,21 +1,21 @@
-//! One step of framing on one slice: what stands at its start.
+//! Stateless framing: examines the start of a slice.
 
 use core::fmt;
 
 use super::checksum::{crc16, header_sum, payload_sum};
 use super::{Frame, HEADER, Version, Versions};
 
-/// Why bytes were skipped.
+/// Reason why bytes were skipped.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub enum Cause {
-    /// No accepted version starts with these bytes.
+    /// The bytes are not start bytes of an accepted version.
     NoStartByte,
-    /// A start byte before a header whose checksum is wrong or whose id is 0.
+    /// A start byte followed by a header with a wrong checksum or id 0.
     HeaderChecksum,
-    /// A start byte before a good header whose payload checksum or CRC is wrong.
+    /// A start byte followed by a valid header, but with a wrong payload checksum or CRC.
     PayloadChecksum,
-    /// A start byte whose frame was given up before its end came.
+    /// A start byte whose frame was abandoned before it was complete.
     Truncated,
 }
 
@@ -24,7 +24,7 @@ impl Cause {
     pub const ALL: [Self; 4] =
         [Self::NoStartByte, Self::HeaderChecksum, Self::PayloadChecksum, Self::Truncated];
 
-    /// The name used in machine-readable output, such as `no_start_byte`.
+    /// Name for machine-readable output, such as `no_start_byte`.
     pub const fn as_str(self) -> &'static str {
         match self {
             Self::NoStartByte => "no_start_byte",
@@ -45,56 +45,56 @@ impl fmt::Display for Cause {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Skipped {
-    /// Where they start, in bytes from the start of the stream.
+    /// Offset of the first byte in the stream.
     pub at: u64,
-    /// How many they are, at least 1.
+    /// Number of bytes, at least 1.
     pub length: usize,
-    /// Why they were skipped.
+    /// Reason why they were skipped.
     pub cause: Cause,
 }
 
 impl Skipped {
-    /// This and `next` as one, if `next` follows without a gap and has the same cause.
+    /// Joins this run with `next`, if `next` follows without a gap and has the same cause.
     ///
-    /// The decoder reports at once what it skips, so a run of noise that was cut into chunks comes in as many
-    /// pieces. Joined, the pieces no longer show where the cuts were.
+    /// The decoder reports skipped bytes immediately, so a run of noise that is split into chunks is reported in
+    /// several pieces. Joining them hides the chunk boundaries.
     pub fn join(self, next: Self) -> Option<Self> {
         let adjacent = self.at.checked_add(self.length as u64) == Some(next.at) && self.cause == next.cause;
         adjacent.then(|| Self { length: self.length.saturating_add(next.length), ..self })
     }
 }
 
-/// What [`scan`] found at the start of a slice.
+/// Result of [`scan`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scan<'a> {
-    /// A whole frame.
+    /// A complete frame.
     Frame {
-        /// The frame.
+        /// Frame.
         frame: Frame<'a>,
-        /// How many bytes it takes.
+        /// Number of bytes used.
         used: usize,
     },
     /// Bytes that belong to no frame.
     Skip {
-        /// How many to skip, at least 1.
+        /// Number of bytes to skip, at least 1.
         used: usize,
-        /// Why.
+        /// Reason to skip them.
         cause: Cause,
     },
-    /// What may be a frame, not yet decided.
+    /// A candidate for a frame, with too few bytes for a decision.
     NeedMore {
-        /// The length of slice with which the next decision can be made; more than there is now, and never
-        /// more than [`MAX_FRAME`](super::MAX_FRAME).
+        /// Slice length required for the next decision; greater than the current one, and at most
+        /// [`MAX_FRAME`](super::MAX_FRAME).
         at_least: usize,
     },
 }
 
-/// Judges what stands at the start of `buf`.
+/// Examines the start of `buf`.
 ///
-/// A candidate is refused as early as possible: for an id of 0 once 2 bytes are there, for its header
-/// checksum once 4 are. Id 0 is not a command, and all checks of a run of zeros are zero, so zero-filled payload
-/// bytes after a start byte would pass for a frame. A refused candidate costs only its start byte, because
-/// an intact frame may start at any byte after it. Bytes before the next start byte are skipped as one run.
+/// A candidate is rejected as early as possible: for id 0 after 2 bytes, for its header checksum after 4. Id 0 is not a
+/// command, and all checks of a run of zeros are zero, so zero-filled payload bytes after a start byte would be
+/// mistaken for a frame. Only the start byte of a rejected candidate is skipped, because an intact frame may start at
+/// any byte after it. Bytes before the next start byte are skipped as one run.
 ///
 /// ```
 /// use sbgc_proto::frame::{Cause, Scan, Versions, scan};

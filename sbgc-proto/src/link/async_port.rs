@@ -1,4 +1,4 @@
-//! The link on the halves of a UART whose calls are futures.
+//! Link on the halves of an asynchronous UART.
 
 use core::future::{Future, poll_fn};
 use core::pin::pin;
@@ -12,24 +12,23 @@ use crate::frame::Frame;
 use crate::message::{Message, Request};
 use crate::wire::ToWire;
 
-/// What an [`AsyncPort`] needs to know of time.
+/// Clock of an [`AsyncPort`].
 #[allow(async_fn_in_trait, reason = "firmware runs its futures where they are made")]
 pub trait Clock {
-    /// The time in milliseconds, from any moment on.
+    /// Returns the time in milliseconds, counted from any moment.
     fn now(&mut self) -> Millis;
 
-    /// Waits until the time is `moment`, or past it.
+    /// Waits until the time has reached `moment`.
     async fn wait_until(&mut self, moment: Millis);
 }
 
 /// Bytes taken from the UART at once.
 const CHUNK: usize = 16;
 
-/// A link with the two halves of a UART and a clock.
+/// Link with the two halves of a UART and a clock.
 ///
-/// Every future here may be dropped at any moment: what was received and what waits to be sent stays in the link, as
-/// long as the UART's own `read` and `write` lose nothing when they are dropped. A request whose future was dropped is
-/// given up by the next one.
+/// All futures can be dropped at any time: received and queued bytes stay in the link, provided that the UART's `read`
+/// and `write` lose nothing when dropped. A request whose future was dropped is abandoned by the next one.
 #[derive(Debug)]
 pub struct AsyncPort<R, W, C, const N: usize> {
     link: Link<N>,
@@ -42,29 +41,29 @@ pub struct AsyncPort<R, W, C, const N: usize> {
 }
 
 impl<R: Read, W: Write<Error = R::Error>, C: Clock, const N: usize> AsyncPort<R, W, C, N> {
-    /// Puts the link on the halves of a UART.
+    /// Connects the link to the halves of a UART.
     pub const fn new(link: Link<N>, receive: R, transmit: W, clock: C) -> Self {
         Self { link, receive, transmit, clock, chunk: [0; CHUNK], rest: 0..0 }
     }
 
-    /// The link.
+    /// Returns the link.
     pub const fn link(&mut self) -> &mut Link<N> {
         &mut self.link
     }
 
-    /// Sends a message that nothing answers, or whose answer does not matter.
+    /// Sends a message without waiting for an answer.
     ///
     /// # Errors
-    /// If it cannot be written, or the UART fails.
+    /// If the message is inconsistent, or the UART fails.
     pub async fn send<M: Message + ToWire>(&mut self, message: &M) -> Result<(), PortError<R::Error>> {
         self.link.send(message)?;
         self.flush().await
     }
 
-    /// Sends a request and hands its answer to `answer`; what else comes meanwhile goes to `other`.
+    /// Sends a request and passes its answer to `answer`; other messages received meanwhile go to `other`.
     ///
     /// # Errors
-    /// If the board refuses or is silent, the answer cannot be read, or the UART fails.
+    /// If the board rejects the request or does not respond, the answer is invalid, or the UART fails.
     pub async fn request<Q: Request + ToWire, T>(
         &mut self,
         request: &Q,
@@ -86,7 +85,7 @@ impl<R: Read, W: Write<Error = R::Error>, C: Clock, const N: usize> AsyncPort<R,
         }
     }
 
-    /// Waits until something has happened; [`frame`](Self::frame) has the message.
+    /// Waits for the next event, whose message [`frame`](Self::frame) returns.
     ///
     /// # Errors
     /// If the UART fails.
@@ -116,7 +115,7 @@ impl<R: Read, W: Write<Error = R::Error>, C: Clock, const N: usize> AsyncPort<R,
         }
     }
 
-    /// The message that [`next`](Self::next) told of last.
+    /// Message that [`next`](Self::next) reported last.
     pub fn frame(&self) -> Frame<'_> {
         self.link.frame()
     }

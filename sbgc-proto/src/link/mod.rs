@@ -1,4 +1,4 @@
-//! A session with a board for firmware: no I/O, no clock, no heap, no statics.
+//! Session with a board, for firmware: no I/O, no clock, no heap, no statics.
 //!
 //! ```text
 //!  request, send ──► Link ──► output, sent ──► UART
@@ -8,10 +8,10 @@
 //!  UART ──► receive ──┘
 //! ```
 //!
-//! [`Link`] is given bytes and the time, and says what to send and what has happened. It matches answers to the request
-//! by the same declarations as the driver for computers, ends what waits too long, ends a false start of a frame after
-//! a gap, repeats what only asks, and finds out whether the board takes version 2 of the frames. Two boards are two
-//! links.
+//! [`Link`] receives bytes and the time, and reports what to send and what happened. It matches answers to requests
+//! with the same declarations as the driver for computers, enforces timeouts, abandons incomplete frames after a gap,
+//! repeats read-only requests, and detects whether the board supports version 2 of the protocol. Use one link per
+//! board.
 //!
 //! ```
 //! use sbgc_proto::commands::{BoardInfo, BoardInfoRequest};
@@ -38,7 +38,7 @@
 //! ```
 //!
 //! With the features `embedded-io` and `embedded-io-async`, [`Port`](port::Port) and
-//! [`AsyncPort`](async_port::AsyncPort) put it on the halves of a UART.
+//! [`AsyncPort`](async_port::AsyncPort) connect it to the halves of a UART.
 
 #![doc = ""]
 #![doc = include_str!("firmware.md")]
@@ -71,29 +71,29 @@ use crate::wire::ToWire;
 use crate::{CommandId, EncodeError, Expected};
 use output::Output;
 
-/// A moment by the caller's clock, in milliseconds. It may overflow: only differences below 24 days count.
+/// Time of the caller's clock in milliseconds. It may overflow: only differences below 24 days matter.
 pub type Millis = u32;
 
-/// How a link behaves.
+/// Settings of a link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Settings {
-    /// The versions of frames that may be used. With both, version 2 comes first, and version 1 is tried in turn as
-    /// long as the board has not been heard.
+    /// Protocol versions to use. With both, version 2 is tried first, alternating with version 1 until the board
+    /// responds.
     pub versions: Versions,
-    /// How long an answer may take.
+    /// Timeout for answers.
     pub timeout_ms: Millis,
-    /// How long the answer to a request may take that is declared to be slow, such as a calibration.
+    /// Timeout for answers to requests declared as slow, such as calibrations.
     pub slow_timeout_ms: Millis,
-    /// How often a request is sent that only asks; one that acts is sent once.
+    /// Maximum number of times a read-only request is sent; requests with an effect are sent once.
     pub attempts: u8,
-    /// The silence that ends a frame whose bytes have stopped coming. A board sends a frame without a pause, so a few
-    /// times the length of a byte are enough, and the time between two calls has to be added.
+    /// Gap after which an incomplete frame is abandoned. A board sends a frame without pauses, so a few byte times plus
+    /// the time between two calls are sufficient.
     pub gap_ms: Millis,
 }
 
 impl Settings {
-    /// Both versions, 200 ms for an answer, 10 s for a slow one, three attempts, a gap of 20 ms.
+    /// Both versions, timeouts of 200 ms and 10 s (slow), three attempts, a gap of 20 ms.
     pub const DEFAULT: Self =
         Self { versions: Versions::Both, timeout_ms: 200, slow_timeout_ms: 10_000, attempts: 3, gap_ms: 20 };
 }
@@ -104,31 +104,31 @@ impl Default for Settings {
     }
 }
 
-/// What has happened on a [`Link`].
+/// Event on a [`Link`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Update {
-    /// The answer to the request has come; [`Link::frame`] has it.
+    /// The request was answered; [`Link::frame`] returns the answer.
     Answer,
-    /// The board has refused the request with CMD_ERROR; [`Link::frame`] has it.
+    /// The board rejected the request with CMD_ERROR; [`Link::frame`] returns the error.
     Refused,
-    /// The request was not answered in time.
+    /// The request timed out.
     TimedOut,
-    /// A message has come that nobody asked for just now, such as a sample of a stream; [`Link::frame`] has it.
+    /// An unsolicited message was received, such as a sample of a stream; [`Link::frame`] returns it.
     Message,
-    /// Bytes have come that are no frame.
+    /// Bytes were received that belong to no frame.
     Noise(Skipped),
 }
 
-/// Why a message was not taken.
+/// Reason why a message was not accepted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum SendError {
-    /// Another request waits for its answer.
+    /// Another request is waiting for its answer.
     Busy,
-    /// The message cannot be written, or does not fit what is free of the output.
+    /// The message is inconsistent or does not fit into the free part of the output.
     Encode(EncodeError),
 }
 
@@ -161,10 +161,10 @@ struct Waiting {
     attempts_left: u8,
 }
 
-/// A session with one board; see the [module](self).
+/// Session with one board; see the [module](self).
 ///
-/// `N` is the number of bytes that may wait to be sent, and of a request that is repeated: 64 for most programs, and
-/// not more than the 255 that the board takes at once.
+/// `N` is the size of the output and of the buffer for a repeated request in bytes: 64 for most programs, at most the
+/// 255 that a board accepts at once.
 #[derive(Clone, Debug)]
 pub struct Link<const N: usize> {
     settings: Settings,
@@ -181,7 +181,7 @@ pub struct Link<const N: usize> {
 }
 
 impl<const N: usize> Link<N> {
-    /// A link to a board that was not heard yet.
+    /// Creates a link to a board that has not responded yet.
     pub const fn new(settings: Settings) -> Self {
         let version = match settings.versions {
             Versions::Both => Version::V2,
@@ -200,23 +200,23 @@ impl<const N: usize> Link<N> {
         }
     }
 
-    /// Puts a message into the output that nothing answers, or whose answer does not matter.
+    /// Queues a message without waiting for an answer.
     ///
     /// # Errors
-    /// If the message cannot be written or does not fit the output.
+    /// If the message is inconsistent or does not fit into the output.
     pub fn send<M: Message + ToWire>(&mut self, message: &M) -> Result<(), SendError> {
         let version = self.version;
         self.output.put(|free| message.encode_frame(version, free).map(<[u8]>::len))?;
         Ok(())
     }
 
-    /// Puts a request into the output and waits for its answer from now on.
+    /// Queues a request and starts waiting for its answer.
     ///
-    /// A board that was not heard yet may know version 1 of the frames only. Begin with a request that only asks, such
-    /// as [`BoardInfoRequest`](crate::commands::BoardInfoRequest): it is tried in both.
+    /// A board that has not responded yet may support version 1 only. Start with a read-only request, such as
+    /// [`BoardInfoRequest`](crate::commands::BoardInfoRequest), which is tried in both versions.
     ///
     /// # Errors
-    /// If another request waits, or this one cannot be written or does not fit the output.
+    /// If another request is waiting, or this one is inconsistent or does not fit into the output.
     pub fn request<Q: Request + ToWire>(&mut self, request: &Q, now: Millis) -> Result<(), SendError> {
         if self.waiting.is_some() {
             return Err(SendError::Busy);
@@ -241,35 +241,36 @@ impl<const N: usize> Link<N> {
         self.output.put(|free| Ok(crate::frame::encode_into(version, id.raw(), payload, free)?.len()))
     }
 
-    /// Whether a request waits for its answer.
+    /// Whether a request is waiting for its answer.
     pub const fn is_waiting(&self) -> bool {
         self.waiting.is_some()
     }
 
-    /// Gives the request up that waits. An answer that comes all the same is a [message](Update::Message).
+    /// Abandons the waiting request. If its answer arrives nevertheless, it is reported as a
+    /// [message](Update::Message).
     pub fn cancel(&mut self) {
         self.waiting = None;
     }
 
-    /// What is to be sent.
+    /// Bytes to send.
     pub fn output(&self) -> &[u8] {
         self.output.as_slice()
     }
 
-    /// Says that the first `count` bytes of the output were sent.
+    /// Removes the first `count` bytes, which were sent, from the output.
     pub fn sent(&mut self, count: usize) {
         self.output.sent(count);
     }
 
-    /// Takes a byte from the board. Call [`poll`](Self::poll) behind each until it returns `None`.
+    /// Adds a byte received from the board. After each byte, call [`poll`](Self::poll) until it returns `None`.
     pub fn receive(&mut self, byte: u8, now: Millis) {
         self.last_byte = now;
         self.decoder.put(byte);
     }
 
-    /// Takes bytes from the queue of an interrupt until something has happened, and says what.
+    /// Takes bytes from the queue of an interrupt until an event occurs, and returns it.
     ///
-    /// Call it again until it returns `None`, at least each few milliseconds.
+    /// Call it every few milliseconds, and each time until it returns `None`.
     ///
     /// ```
     /// use sbgc_proto::heapless::spsc::Queue;
@@ -298,9 +299,9 @@ impl<const N: usize> Link<N> {
         }
     }
 
-    /// Says what has happened, one thing a call, and repeats requests that were not answered.
+    /// Returns the next event, and repeats requests that were not answered.
     ///
-    /// `None` if nothing has; there may be [output](Self::output) all the same.
+    /// Returns `None` if there is none; there may still be new [output](Self::output).
     pub fn poll(&mut self, now: Millis) -> Option<Update> {
         if !self.decoder.is_ready() {
             if self.decoder.pending() > 0 && now.wrapping_sub(self.last_byte) >= self.settings.gap_ms {
@@ -329,13 +330,13 @@ impl<const N: usize> Link<N> {
         Some(update)
     }
 
-    /// The frame that [`poll`](Self::poll) told of last, until the next byte or call of it.
+    /// Frame that [`poll`](Self::poll) reported last; valid until the next byte or the next call of `poll`.
     pub fn frame(&self) -> Frame<'_> {
         let (version, id, length) = self.frame;
         Frame { version, id, payload: self.decoder.last_payload(length.into()) }
     }
 
-    /// The moment at which [`poll`](Self::poll) has something to do though no byte comes.
+    /// Time at which [`poll`](Self::poll) must be called next even if no byte is received.
     pub fn deadline(&self) -> Option<Millis> {
         let gap = (self.decoder.pending() > 0).then(|| self.last_byte.wrapping_add(self.settings.gap_ms));
         let answer = self.waiting.as_ref().map(|waiting| waiting.since.wrapping_add(waiting.timeout));
@@ -345,17 +346,17 @@ impl<const N: usize> Link<N> {
         }
     }
 
-    /// The version in which messages are sent.
+    /// Protocol version of sent messages.
     pub const fn version(&self) -> Version {
         self.version
     }
 
-    /// Whether the board was heard in that version.
+    /// Whether the board has responded in that version.
     pub const fn is_settled(&self) -> bool {
         self.is_settled
     }
 
-    /// The decoder, for its counters.
+    /// Decoder, which provides counters.
     pub const fn decoder(&self) -> &Decoder {
         &self.decoder
     }

@@ -1,4 +1,4 @@
-//! The link on the halves of a UART whose calls block or return at once.
+//! Link on the halves of a blocking UART.
 
 use embedded_io::{Read, ReadReady, Write};
 
@@ -8,9 +8,9 @@ use crate::frame::Frame;
 use crate::message::{Message, Request};
 use crate::wire::ToWire;
 
-/// A link with the two halves of a UART and a clock.
+/// Link with the two halves of a UART and a clock.
 ///
-/// It never waits for a byte: it asks whether there is one, and looks at the clock in between.
+/// It never blocks on a read: it checks whether a byte is available, and checks the clock in between.
 ///
 /// ```
 /// # use core::convert::Infallible;
@@ -56,34 +56,34 @@ pub struct Port<R, W, C, const N: usize> {
 }
 
 impl<R: Read + ReadReady, W: Write<Error = R::Error>, C: FnMut() -> Millis, const N: usize> Port<R, W, C, N> {
-    /// Puts the link on the halves of a UART. `clock` counts milliseconds.
+    /// Connects the link to the halves of a UART. `clock` returns milliseconds.
     pub const fn new(link: Link<N>, receive: R, transmit: W, clock: C) -> Self {
         Self { link, receive, transmit, clock }
     }
 
-    /// The link.
+    /// Returns the link.
     pub const fn link(&mut self) -> &mut Link<N> {
         &mut self.link
     }
 
-    /// The time by the clock.
+    /// Returns the time of the clock.
     pub fn now(&mut self) -> Millis {
         (self.clock)()
     }
 
-    /// Sends a message that nothing answers, or whose answer does not matter.
+    /// Sends a message without waiting for an answer.
     ///
     /// # Errors
-    /// If it cannot be written, or the UART fails.
+    /// If the message is inconsistent, or the UART fails.
     pub fn send<M: Message + ToWire>(&mut self, message: &M) -> Result<(), PortError<R::Error>> {
         self.link.send(message)?;
         self.flush()
     }
 
-    /// Sends a request and hands its answer to `answer`; what else comes meanwhile goes to `other`.
+    /// Sends a request and passes its answer to `answer`; other messages received meanwhile go to `other`.
     ///
     /// # Errors
-    /// If the board refuses or is silent, the answer cannot be read, or the UART fails.
+    /// If the board rejects the request or does not respond, the answer is invalid, or the UART fails.
     pub fn request<Q: Request + ToWire, T>(
         &mut self,
         request: &Q,
@@ -103,8 +103,8 @@ impl<R: Read + ReadReady, W: Write<Error = R::Error>, C: FnMut() -> Millis, cons
         }
     }
 
-    /// Sends what waits, takes the bytes that are there, and says what has happened, one thing a call; [`frame`] has
-    /// the message. `None` if nothing has.
+    /// Sends queued bytes, reads available ones, and returns the next event, whose message [`frame`] returns; `None` if
+    /// there is none.
     ///
     /// [`frame`]: Link::frame
     ///
@@ -126,7 +126,7 @@ impl<R: Read + ReadReady, W: Write<Error = R::Error>, C: FnMut() -> Millis, cons
         }
     }
 
-    /// The message that [`poll`](Self::poll) told of last.
+    /// Message that [`poll`](Self::poll) reported last.
     pub fn frame(&self) -> Frame<'_> {
         self.link.frame()
     }

@@ -123,9 +123,9 @@ macro_rules! curves {
 }
 
 curves! {
-    /// A term of a PID controller: P, I or D.
+    /// Term of a PID controller: P, I or D.
     ///
-    /// Before firmware 2.73.1 the raw number itself is the term. From there on the scale is logarithmic.
+    /// Before firmware 2.73.1, the raw number is the term. From 2.73.1 on, the scale is logarithmic.
     ///
     /// ```
     /// use sbgc_proto::units::PidTerm;
@@ -134,11 +134,11 @@ curves! {
     /// assert_eq!(PidTerm::from_logarithmic(3.0), PidTerm(30));
     /// ```
     PidTerm {
-        /// The term as firmware 2.73.1+ has it: `5 * exp(raw * ln(52) / 255) - 5`.
+        /// Term in firmware 2.73.1+: `5 * exp(raw * ln(52) / 255) - 5`.
         logarithmic / from_logarithmic = table(LOGARITHMIC);
     }
 
-    /// The gain that multiplies all terms of a PID controller.
+    /// Gain that multiplies all terms of a PID controller.
     ///
     /// ```
     /// use sbgc_proto::units::PidGain;
@@ -147,58 +147,57 @@ curves! {
     /// assert_eq!(PidGain::from_gain(1.5), PidGain(70));
     /// ```
     PidGain {
-        /// The gain as firmware up to 2.73.0 has it: `0.1 + raw * 0.02`.
+        /// Gain in firmware up to 2.73.0: `0.1 + raw * 0.02`.
         gain / from_gain = line(5, 1 / 50);
-        /// The gain as firmware 2.73.1+ has it, if the formula is that of the single terms:
-        /// `5 * exp(raw * ln(52) / 255) - 5`.
+        /// Gain in firmware 2.73.1+, if the formula of the terms applies: `5 * exp(raw * ln(52) / 255) - 5`.
         ///
-        /// The vendor gives this formula, and an inverse that does not belong to it but to
-        /// [`centered`](Self::centered). Which is right is unknown.
+        /// The vendor publishes this formula together with an inverse that does not match it, but
+        /// [`centered`](Self::centered). Which one is correct is unknown.
         logarithmic / from_logarithmic = table(LOGARITHMIC);
-        /// The gain as firmware 2.73.1+ has it, if the vendor's inverse formula is right:
-        /// `50^((raw - 1) / 127) / 50`, which is 1 for raw 128. See [`logarithmic`](Self::logarithmic).
+        /// Gain in firmware 2.73.1+, if the vendor's inverse formula is correct: `50^((raw - 1) / 127) / 50`, which is
+        /// 1 for raw 128. See [`logarithmic`](Self::logarithmic).
         centered / from_centered = table(CENTERED);
     }
 
-    /// The quality of a low-pass filter, as its inverse.
+    /// Inverse quality of a low-pass filter.
     InverseQuality {
-        /// The inverse of the quality: `0.2 + raw * 0.02`.
+        /// Inverse quality: `0.2 + raw * 0.02`.
         inverse_quality / from_inverse_quality = line(10, 1 / 50);
     }
 
-    /// The factor of the outer loop's proportional term in servo mode.
+    /// Factor of the proportional term of the outer loop in servo mode.
     ServoFactor {
-        /// The factor: `0.1 * exp(raw * ln(500) / 255)`.
+        /// Factor: `0.1 * exp(raw * ln(500) / 255)`.
         factor / from_factor = table(FACTOR);
     }
 
-    /// The outer loop's integral term in servo mode.
+    /// Integral term of the outer loop in servo mode.
     ServoTerm {
-        /// The term: `5 * exp(raw * ln(52) / 255) - 5`.
+        /// Term: `5 * exp(raw * ln(52) / 255) - 5`.
         term / from_term = table(LOGARITHMIC);
     }
 
-    /// The base frequency of the shake generator.
+    /// Base frequency of the shake generator.
     ShakeFrequency {
-        /// The frequency in Hz: `0.3 + raw * 0.05`.
+        /// Frequency in Hz: `0.3 + raw * 0.05`.
         hertz / from_hertz = line(6, 1 / 20);
     }
 
-    /// The frequency of resonance of the shake generator.
+    /// Resonance frequency of the shake generator.
     ShakeResonance {
-        /// The frequency in Hz: `0.3 + raw * 0.1`.
+        /// Frequency in Hz: `0.3 + raw * 0.1`.
         hertz / from_hertz = line(3, 1 / 10);
     }
 
-    /// The range of frequencies of the shake generator, as a multiple of its base frequency.
+    /// Frequency range of the shake generator, as a multiple of its base frequency.
     ShakeRange {
-        /// The multiple: `1.5 + raw * 0.1`.
+        /// Multiple: `1.5 + raw * 0.1`.
         multiple / from_multiple = line(15, 1 / 10);
     }
 
-    /// The period of pauses of the shake generator.
+    /// Pause period of the shake generator.
     ShakePause {
-        /// The period in milliseconds: `500 + raw * 20`.
+        /// Period in milliseconds: `500 + raw * 20`.
         milliseconds / from_milliseconds = line(25, 20 / 1);
     }
 }

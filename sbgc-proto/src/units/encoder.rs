@@ -5,7 +5,7 @@ use core::fmt;
 use super::quantity::{Scale, WholeScale};
 use crate::wire::U24;
 
-/// The raw angle of an encoder, in steps of 24 bits per turn.
+/// Raw angle of an encoder, in units of 1/16777216 turn.
 ///
 /// ```
 /// use sbgc_proto::units::EncoderAngle;
@@ -24,12 +24,12 @@ impl EncoderAngle {
     const MILLI: WholeScale = WholeScale::new(360_000, Self::STEPS);
     const LIMITS: (i64, i64) = (0, Self::STEPS as i64);
 
-    /// The angle in deg, from 0 to a full turn.
+    /// Angle in degrees, from 0 to a full turn.
     pub const fn degrees(self) -> f64 {
         Self::SCALE.value(self.0.get() as f64)
     }
 
-    /// The nearest raw number for an angle in deg, of any number of turns; 0 for NaN.
+    /// Nearest raw number for an angle in degrees over any number of turns; NaN becomes 0.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within a turn")]
     pub const fn from_degrees(value: f64) -> Self {
         let turn = value % 360.0;
@@ -37,22 +37,23 @@ impl EncoderAngle {
         Self::of_steps(Self::SCALE.steps(turn) as u32)
     }
 
-    /// The angle in deg, rounded to the nearest: 0 to 360. Integers alone do it.
+    /// Angle in degrees, rounded to the nearest integer from 0 to 360. Uses integer arithmetic only.
     pub const fn whole_degrees(self) -> i32 {
         Self::WHOLE.value(self.0.get() as i64, Self::LIMITS)
     }
 
-    /// The angle in thousandths of a deg, rounded to the nearest: 0 to 360000. Integers alone do it.
+    /// Angle in thousandths of a degree, rounded to the nearest integer from 0 to 360000. Uses integer arithmetic only.
     pub const fn millidegrees(self) -> i32 {
         Self::MILLI.value(self.0.get() as i64, Self::LIMITS)
     }
 
-    /// The nearest raw number for an angle in deg, of any number of turns. Integers alone do it.
+    /// Nearest raw number for an angle in degrees over any number of turns. Uses integer arithmetic only.
     pub const fn from_whole_degrees(value: i32) -> Self {
         Self::of_turn(Self::WHOLE.raw(value.rem_euclid(360), Self::LIMITS))
     }
 
-    /// The nearest raw number for an angle in thousandths of a deg, of any number of turns. Integers alone do it.
+    /// Nearest raw number for an angle in thousandths of a degree over any number of turns. Uses integer arithmetic
+    /// only.
     pub const fn from_millidegrees(value: i32) -> Self {
         Self::of_turn(Self::MILLI.raw(value.rem_euclid(360_000), Self::LIMITS))
     }

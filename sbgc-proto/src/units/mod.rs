@@ -38,81 +38,81 @@ pub use crate::version::{FirmwareVersion, ParseVersionError};
 use quantity::quantities;
 
 quantities! {
-    /// Angle in steps of 14 bits per turn.
+    /// Angle in units of 1/16384 turn.
     Angle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, whole {
         whole_degrees / from_whole_degrees: 1, "deg";
         millidegrees / from_millidegrees: 1000, "thousandths of a deg";
     };
 
-    /// Angle over many turns, in steps of 14 bits per turn.
+    /// Angle over several turns, in units of 1/16384 turn.
     LongAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 16384, whole {
         whole_degrees / from_whole_degrees: 1, "deg";
     };
 
-    /// Angle in steps of 20 bits per turn.
+    /// High-resolution angle in units of 1/1048576 turn.
     FineAngle(i32): degrees / from_degrees / try_from_degrees -> f64, "deg", 360 / 1_048_576, whole {
         whole_degrees / from_whole_degrees: 1, "deg";
         millidegrees / from_millidegrees: 1000, "thousandths of a deg";
     };
 
-    /// Distance to a limit, in steps of 14 bits per turn.
+    /// Distance to a limit, in units of 1/16384 turn.
     LimitDistance(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, whole {
         whole_degrees / from_whole_degrees: 1, "deg";
         millidegrees / from_millidegrees: 1000, "thousandths of a deg";
     }, special {
-        /// No limit, or an unknown one.
+        /// No limit, or unknown.
         UNKNOWN = 32767;
     };
 
-    /// The period of a curve of correction over a turn of the motor.
+    /// Period of a correction curve over one motor turn.
     CorrectionPeriod(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1, special {
         /// Determined by the board.
         AUTO = 0;
     };
 
-    /// The heading of the frame against North.
+    /// Heading of the frame relative to North.
     FrameHeading(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 360 / 16384, whole {
         whole_degrees / from_whole_degrees: 1, "deg";
         millidegrees / from_millidegrees: 1000, "thousandths of a deg";
     }, special {
-        /// Stop to use the heading as a reference.
+        /// Stops using the heading as a reference.
         STOP_REFERENCE = 32767;
     };
 
-    /// Angular rate as used in control commands, in steps of 0.1220740379 degrees per second.
+    /// Angular rate in control commands, in units of 0.1220740379 degrees per second.
     ControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767, whole {
         whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
         millidegrees_per_second / from_millidegrees_per_second: 1000, "thousandths of a deg/s";
     };
 
-    /// Limit of the angular rate, in the steps of control commands.
+    /// Limit of the angular rate, in the unit of control commands.
     ControlRateLimit(u16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 4000 / 32767, whole {
         whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
         millidegrees_per_second / from_millidegrees_per_second: 1000, "thousandths of a deg/s";
     };
 
-    /// Angular rate in high-resolution control commands: thousandths of a degree per second in 16 bits.
+    /// Angular rate in high-resolution control commands, in units of 0.001 degrees per second.
     FineControlRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 1 / 1000, whole {
         whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
     };
 
-    /// Angular rate as reported by sensors, in steps of 0.06103701895 degrees per second.
+    /// Angular rate reported by sensors, in units of 0.06103701895 degrees per second.
     SensorRate(i16): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f32,
         "deg/s", 2000 / 32767, whole {
         whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
         millidegrees_per_second / from_millidegrees_per_second: 1000, "thousandths of a deg/s";
     };
 
-    /// Angular rate in thousandths of a degree per second.
+    /// Angular rate in units of 0.001 degrees per second, in 32 bits.
     FineRate(i32): degrees_per_second / from_degrees_per_second / try_from_degrees_per_second -> f64,
         "deg/s", 1 / 1000, whole {
         whole_degrees_per_second / from_whole_degrees_per_second: 1, "deg/s";
     };
 
-    /// Angular rate in millionths of a radian per second.
+    /// Angular rate in units of 0.000001 radians per second.
     MicroRate(i32): radians_per_second / from_radians_per_second / try_from_radians_per_second -> f64,
         "rad/s", 1 / 1_000_000;
 
@@ -124,72 +124,72 @@ quantities! {
     MotorAccelerationLimit(u16): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2
         -> f32, "deg/s^2", 2 / 1;
 
-    /// An acceleration as sensors have it.
+    /// Acceleration reported by sensors.
     Acceleration(i16): g / from_g / try_from_g -> f32, "g", 1 / 512;
 
-    /// Peak acceleration, in coarse steps.
+    /// Peak acceleration, at low resolution.
     PeakAcceleration(u8): g / from_g / try_from_g -> f32, "g", 1 / 16;
 
-    /// Limit of angular acceleration in coarse steps; 0 disables it.
+    /// Limit of angular acceleration; 0 disables it.
     AccelerationLimit(u8): degrees_per_second2 / from_degrees_per_second2 / try_from_degrees_per_second2 -> f32,
         "deg/s^2", 5 / 1;
 
-    /// A voltage.
+    /// Voltage.
     Voltage(u16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
 
     /// Voltage threshold; a negative value disables it.
     VoltageThreshold(i16): volts / from_volts / try_from_volts -> f32, "V", 1 / 100;
 
-    /// An error of attitude.
+    /// Attitude error.
     AttitudeError(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
 
     /// Amplitude of the stabilization error.
     StabilizationError(u16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 1000;
 
-    /// The time between the messages of a data stream. 0 ends it, and the shortest is a cycle of the firmware, 0.8 ms.
+    /// Interval between messages of a data stream.
     StreamInterval(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
-        /// Ends the stream.
+        /// Stops the stream.
         UNREGISTER = 0;
-        /// In every cycle of the firmware, which is 0.8 ms.
+        /// Once per cycle of the firmware, 0.8 ms.
         EVERY_CYCLE = 1;
     };
 
-    /// A rate of repetition.
+    /// Repetition rate of servo outputs.
     ServoRate(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
 
-    /// How long a calibration takes its samples.
+    /// Sampling time of a calibration.
     CalibrationTime(u16): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 1 / 1, special {
         /// Default of the board, about 4 s for the gyroscope.
         DEFAULT = 0;
     };
 
-    /// The lowest frequency of a test.
+    /// Minimum frequency of a test.
     TestFrequencyFrom(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 10;
 
-    /// The highest frequency of a test.
+    /// Maximum frequency of a test.
     TestFrequencyTo(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 2 / 1;
 
-    /// An angle to test at, in steps of 3 degrees.
+    /// Angle of a test position, in units of 3 degrees.
     TestAngle(i8): degrees / from_degrees / try_from_degrees -> f32, "deg", 3 / 1;
 
-    /// A margin of gain.
+    /// Gain margin.
     GainMargin(u8): decibels / from_decibels / try_from_decibels -> f32, "dB", 1 / 10;
 
-    /// A jerk slope: the time in which an acceleration builds up.
+    /// Jerk slope: time in which an acceleration builds up.
     JerkSlope(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 20 / 1, special {
         /// Leaves the current one unchanged.
         UNCHANGED = 0;
-        /// Accelerations set in at once.
+        /// Accelerations start immediately.
         OFF = 1;
     };
 
-    /// A dead band in units of the gyroscope.
+    /// Dead band of a gyroscope, in gyroscope units.
     GyroDeadband(u8): units / from_units / try_from_units -> f32, "gyro units", 1 / 10;
 
-    /// The zero of a gyroscope, in units of the gyroscope.
+    /// Zero of a gyroscope, in gyroscope units.
     GyroZero(i16): units / from_units / try_from_units -> f32, "gyro units", 1 / 1000;
 
-    /// The signal of a radio control channel, -16384 to 16384.
+    /// RC signal at high resolution, -16384 to 16384.
     RcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 16384, special {
         /// No signal.
         UNDEFINED = -32768;
@@ -197,13 +197,13 @@ quantities! {
         UNDEFINED_OLD = -32767;
     };
 
-    /// The signal of a radio control channel in coarse steps, -500 to 500 and slightly beyond.
+    /// RC signal, nominally -500 to 500; slightly larger values are allowed.
     CoarseRcSignal(i16): fraction / from_fraction / try_from_fraction -> f32, "of full scale", 1 / 500, special {
         /// No signal.
         UNDEFINED = -10000;
     };
 
-    /// The pulse time of a servo output; all below zero free the pin.
+    /// Pulse time of a servo output; negative values release the pin.
     ServoTime(i16): microseconds / from_microseconds / try_from_microseconds -> f32, "us", 1 / 1, special {
         /// The pin floats.
         FLOATING = -1;
@@ -211,16 +211,16 @@ quantities! {
         LOW = 0;
     };
 
-    /// A time in samples of the sound generator.
+    /// Time in samples of the sound generator.
     SoundTime(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 8 / 1;
 
-    /// The frequency of a note; beyond 21000 it is a pause.
+    /// Frequency of a note; values above 21000 are pauses.
     NoteFrequency(u16): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 1, special {
         /// Restarts the envelope.
         RESTART = 21000;
     };
 
-    /// The version of the board, 3.0 for raw 30. Some boards have a name of their own.
+    /// Board version, such as 3.0 for raw 30. Some versions have a name.
     BoardVersion(u8): number / from_number / try_from_number -> f32, "", 1 / 10, names {
         /// Tiny rev. C with the GD32 processor.
         TINY_REV_C_GD32 = 25;
@@ -236,77 +236,77 @@ quantities! {
         EXTENDED = 36;
         /// Pro.
         PRO = 41;
-        /// The controller of the CAN family.
+        /// Controller of the CAN family.
         CAN_MCU = 50;
     };
 
-    /// The version of a module on the CAN bus, 1.23 for raw 123.
+    /// Version of a module on the CAN bus, such as 1.23 for raw 123.
     ModuleVersion(u16): number / from_number / try_from_number -> f32, "", 1 / 100;
 
-    /// A size of flash memory.
+    /// Size of the flash memory.
     FlashSize(u8): kibibytes / from_kibibytes / try_from_kibibytes -> f32, "KiB", 32 / 1;
 
-    /// A place in a file, in pages of 64 bytes.
+    /// Offset in a file, in pages of 64 bytes.
     PageOffset(u16): bytes / from_bytes / try_from_bytes -> f32, "byte", 64 / 1;
 
-    /// The center of a notch filter.
+    /// Center frequency of a notch filter.
     NotchFrequency(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 2 / 1;
 
-    /// The cut-off of a filter for slow signals.
+    /// Cut-off frequency of a filter for slow signals.
     SlowFilterFrequency(u16): hertz / from_hertz / try_from_hertz -> f32, "Hz", 1 / 100;
 
-    /// The cut-off of a filter for fast signals.
+    /// Cut-off frequency of a filter for fast signals.
     FastFilterFrequency(u8): hertz / from_hertz / try_from_hertz -> f32, "Hz", 10 / 1;
 
-    /// A short time.
+    /// Time in units of 10 ms.
     ShortTime(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 10 / 1;
 
-    /// An angle in coarse steps.
+    /// Angle at low resolution.
     CoarseAngle(i8): degrees / from_degrees / try_from_degrees -> f32, "deg", 3 / 1;
 
-    /// A gearing as a number of 8 bits before and 8 bits after the point.
+    /// Gear ratio of a motor, as a fixed-point number with 8 fractional bits.
     Gearing(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 256;
 
-    /// A ratio of gears in thousandths.
+    /// Gear ratio of an encoder, in thousandths.
     GearRatio(u16): ratio / from_ratio / try_from_ratio -> f32, "", 1 / 1000;
 
-    /// The strength of the link between a motor's rotor and stator.
+    /// Strength of the magnetic link between rotor and stator of a motor.
     MagneticLink(u16): strength / from_strength / try_from_strength -> f32, "", 1 / 100;
 
-    /// A correction of how a sensor is mounted.
+    /// Correction angle for the mounting of a sensor.
     CorrectionAngle(i16): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 100, whole {
         whole_degrees / from_whole_degrees: 1, "deg";
         millidegrees / from_millidegrees: 1000, "thousandths of a deg";
     };
 
-    /// A part of a time.
+    /// Share of a duration.
     TimeShare(u8): percent / from_percent / try_from_percent -> f32, "%", 1 / 5;
 
-    /// How much a moment of inertia depends on the angle.
+    /// Dependence of a moment of inertia on the angle.
     Ellipticity(u8): factor / from_factor / try_from_factor -> f32, "", 1 / 20;
 
-    /// A level of a control signal.
+    /// Threshold of a control signal.
     SignalThreshold(i8): level / from_level / try_from_level -> f32, "", 1 / 10;
 
-    /// A time in coarse steps.
+    /// Delay in units of 100 ms.
     Delay(u8): milliseconds / from_milliseconds / try_from_milliseconds -> f32, "ms", 100 / 1;
 
-    /// The resistance of one phase of a motor.
+    /// Phase resistance of a motor.
     PhaseResistance(u8): milliohms / from_milliohms / try_from_milliohms -> f32, "mOhm", 100 / 1;
 
-    /// A limit of electric current.
+    /// Current limit.
     CurrentLimit(u16): milliamperes / from_milliamperes / try_from_milliamperes -> f32, "mA", 10 / 1;
 
-    /// The current at which a protection trips.
+    /// Current at which a protection trips.
     TripCurrent(u8): amperes / from_amperes / try_from_amperes -> f32, "A", 1 / 2;
 
-    /// The width of a soft limit.
+    /// Width of a soft limit.
     LimitWidth(u8): degrees / from_degrees / try_from_degrees -> f32, "deg", 1 / 10;
 
-    /// The gain of a resonance.
+    /// Gain of a resonance.
     ResonanceGain(u8): decibels / from_decibels / try_from_decibels -> f32, "dB", 1 / 5;
 
-    /// The resistance of a shunt.
+    /// Shunt resistance.
     ShuntResistance(u16): ohms / from_ohms / try_from_ohms -> f32, "Ohm", 1 / 100;
 }
 

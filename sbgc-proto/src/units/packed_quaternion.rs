@@ -4,15 +4,15 @@ use sbgc_proto_macros::record;
 
 use crate::wire::Bytes;
 
-/// A quaternion of length 1 in 64 bits: its largest component is left out and follows from the others.
+/// Unit quaternion in 64 bits: the largest component is omitted, because it follows from the others.
 ///
-/// The three others have 20 bits each from bit 0: 19 for the magnitude and one for the sign. Bits 60 and 61 encode
-/// which component is left out, and bit 62 is its sign. Real-time data and control by quaternion use the same packing,
-/// which newer specifications describe in an appendix of their own.
+/// The other three components have 20 bits each, starting at bit 0: 19 for the magnitude and one for the sign. Bits 60
+/// and 61 encode which component is omitted, and bit 62 is its sign. Real-time data and quaternion control use the same
+/// packing, which newer specifications describe in an appendix.
 ///
-/// The layout follows comments in one of the vendor's libraries. That the components are counted in the order w, x, y,
-/// z is inferred from the quaternions that are not packed. Nobody else publishes either, so compare a known attitude
-/// before relying on it.
+/// The layout follows comments in one of the vendor's libraries. The order of components, w, x, y, z, is inferred from
+/// quaternions that are not packed. No other source publishes either, so verify it with a known attitude before relying
+/// on it.
 ///
 /// ```
 /// use sbgc_proto::units::PackedQuaternion;
@@ -30,7 +30,7 @@ impl PackedQuaternion {
     /// Steps of a component: the maximum of those that are kept is the square root of 1/2.
     const STEPS: f32 = 741_453.8;
 
-    /// The quaternion w, x, y, z.
+    /// Unpacks the quaternion w, x, y, z.
     #[allow(clippy::cast_precision_loss, reason = "a float holds the 19 bits of a component")]
     pub fn unpack(self) -> [f32; 4] {
         let bits = u64::from_le_bytes(self.0.0);
@@ -47,7 +47,7 @@ impl PackedQuaternion {
         quaternion.map(|component| component.unwrap_or(left_out))
     }
 
-    /// Packs a quaternion w, x, y, z of length 1.
+    /// Packs a unit quaternion w, x, y, z.
     #[must_use]
     pub fn pack(quaternion: [f32; 4]) -> Self {
         let mut largest = (0, 0.0_f32);

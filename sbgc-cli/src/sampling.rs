@@ -24,7 +24,7 @@ use crate::{text, values};
 /// What to stream, as `stream` and `record` take it.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Selection {
-    /// What to stream: attitude is angles, targets and speeds [default: attitude, with --data custom]
+    /// Kind of data; attitude has angles, targets and speeds [default: attitude, with --data custom]
     #[arg(value_enum)]
     kind: Option<Kind>,
 
@@ -36,7 +36,7 @@ pub(crate) struct Selection {
     #[arg(long, value_name = "N", default_value_t = 0, hide_default_value = true)]
     device: u8,
 
-    /// Time between samples (20ms) or their rate (50Hz); 1ms is every cycle of the board, 0.8 ms
+    /// Interval (20ms) or rate (50Hz); 1ms stands for every board cycle (0.8 ms)
     #[arg(long, default_value = "100ms", value_parser = values::interval, value_name = "TIME", allow_hyphen_values = true)]
     pub(crate) interval: u16,
 }

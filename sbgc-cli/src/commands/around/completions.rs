@@ -15,7 +15,7 @@ Load them with `source <(sbgc completions bash)`, for example in ~/.bashrc.";
 
 /// Print completions for a shell
 ///
-/// The shell runs sbgc for what fits, so ports are those that are plugged in, and names those of this version.
+/// The shell asks sbgc for candidates, so ports are those that are plugged in and names are those of this version.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Completions {

@@ -15,7 +15,7 @@ const EXAMPLES: &str = "Examples:
 /// Show the settings and where each comes from
 ///
 /// A value comes from the option, else from the environment (SBGC_PORT, SBGC_BAUD, ...), else from
-/// $XDG_CONFIG_HOME/sbgc/config.toml, where keys are called as the options (port = "/dev/ttyUSB0"), else it is the
+/// $XDG_CONFIG_HOME/sbgc/config.toml, whose keys are the names of the options (port = "/dev/ttyUSB0"), else it is the
 /// default.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]

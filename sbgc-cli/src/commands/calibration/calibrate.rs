@@ -20,8 +20,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Calibrate sensors, motors and encoders
 ///
-/// Says what to do, shows the progress, and ends with the outcome. Poles and encoders are asked about first. What
-/// moves stops when the command is interrupted: with the motors, gently.
+/// Prints instructions, the progress and the outcome. Calibrations of poles and encoders ask first. What moves stops
+/// when the command is interrupted: with the motors, gently.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Calibrate {

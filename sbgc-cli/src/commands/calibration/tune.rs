@@ -17,10 +17,10 @@ const EXAMPLES: &str = "Examples:
   sbgc --dry-run tune --axes pitch,yaw
   sbgc --yes tune --gain 100 --json";
 
-/// Tune the PID loops automatically; asks first
+/// Tune the PID loops automatically (asks first)
 ///
-/// The gimbal shakes meanwhile. The board saves the result in the active profile: back it up before, with
-/// `sbgc params dump`. Interrupting stops the tuning.
+/// The gimbal shakes during tuning. The board saves the result in the active profile: back it up first with `sbgc
+/// params dump`. Interrupting stops the tuning.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Tune {

@@ -16,13 +16,13 @@ const EXAMPLES: &str = "Examples:
   sbgc --dry-run boot
   sbgc --yes boot --delay 500ms";
 
-/// Enter the bootloader; asks first
+/// Enter the bootloader (asks first)
 ///
 /// The gimbal stops working until the board is restarted.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Boot {
-    /// Time before it is entered
+    /// Delay before entering it
     #[arg(long, value_name = "TIME", default_value = "100ms", value_parser = values::delay)]
     delay: Duration,
 }

@@ -14,10 +14,10 @@ const EXAMPLES: &str = "Examples:
   sbgc --dry-run servo 1 1500
   sbgc --yes servo 2 1000 2000 --json";
 
-/// Set servo outputs; asks first
+/// Set servo outputs (asks first)
 ///
-/// Usual servos take 500 to 2500 us, 1500 in the middle; 0 holds an output low, -1 lets it float. Firmware before
-/// 2.73.2 sets all eight outputs at once: those that are not named float.
+/// Typical servos take 500 to 2500 us, 1500 in the middle; 0 holds an output low, -1 lets it float. Firmware before
+/// 2.73.2 sets all eight outputs at once: omitted outputs float.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Servo {

@@ -25,8 +25,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Find out why nothing works
 ///
-/// Looks at ports, permissions, other programs, rates, power and the board's own errors, and says what to do. Ends with 0
-/// when all is well, else with the exit code of the worst finding.
+/// Looks at ports, permissions, other programs, rates, power and the board's own errors, and suggests remedies. Ends
+/// with 0 when all is well, else with the exit code of the worst finding.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Doctor {}

@@ -14,8 +14,8 @@ const EXAMPLES: &str = "Examples:
 
 /// List serial ports
 ///
-/// Likely ones come first: boards are USB serial devices. Pseudo-terminals, and UARTs of the computer's own chip, may be
-/// missing and can be opened all the same.
+/// Likely ports come first: boards are USB serial devices. Pseudo-terminals and on-board UARTs may not be listed, but
+/// can be opened.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Ports {}

@@ -23,8 +23,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Show events as they happen
 ///
-/// Events are those of the menu button, motors, emergency stop, camera and scripts. Runs until interrupted, the output is closed, or --count or --for is reached. timestamp_ms is the time since the
-/// start. Firmware 2.65+.
+/// Reports events of the menu button, motors, emergency stop, camera and scripts. Runs until interrupted, the output
+/// is closed, or --count or --for is reached. timestamp_ms is the time since the start. Firmware 2.65+.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Events {
@@ -32,7 +32,7 @@ pub(crate) struct Events {
     #[arg(value_name = "EVENT", value_parser = event)]
     kinds: Vec<EventId>,
 
-    /// Time between two events of one kind as long as something is held
+    /// Repeat interval of an event while something is held
     #[arg(long, default_value = "100ms", value_parser = values::interval, value_name = "TIME", allow_hyphen_values = true)]
     interval: u16,
 

@@ -22,8 +22,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Draw a recording as SVG or PNG
 ///
-/// The message that comes most often is drawn over time, one panel per unit. Times are those of the recording; a capture
-/// without times is drawn over the board's own time, or over the number of the sample.
+/// Draws the most frequent message over time, one panel per unit. A capture without times is drawn over the board's
+/// own time, or else over the sample number.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Plot {

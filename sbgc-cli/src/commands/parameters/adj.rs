@@ -56,12 +56,12 @@ enum What {
         #[arg(value_name = "NAME=VALUE", required = true, value_parser = assignment, add = ArgValueCandidates::new(candidates))]
         settings: Vec<Assignment>,
     },
-    /// Save variables to the EEPROM, those of a profile in the active one
+    /// Save variables to the EEPROM (those of a profile to the active one)
     #[command(after_help = "Examples:
   sbgc adj save --yes
   sbgc adj save P_ROLL P_PITCH --yes")]
     Save {
-        /// Names or numbers; all in use when omitted
+        /// Names or numbers [default: all in use]
         #[arg(value_name = "NAME", add = ArgValueCandidates::new(candidates))]
         names: Vec<String>,
     },

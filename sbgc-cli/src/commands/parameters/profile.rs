@@ -42,7 +42,7 @@ enum What {
         #[arg(value_name = "N", value_parser = profile)]
         profile: Profile,
     },
-    /// Name a profile; at most 48 bytes of UTF-8
+    /// Name a profile (maximum 48 bytes of UTF-8)
     #[command(after_help = "Examples:
   sbgc profile name 2 'Heavy lens' --yes
   sbgc profile name 2 '' --yes")]

@@ -22,8 +22,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Read, write, back up and restore the EEPROM
 ///
-/// It holds settings and calibrations, and the board checks nothing that is written: make a backup first. Blocks are
-/// multiples of 64 bytes at multiples of 64; reading may start and end anywhere.
+/// It holds settings and calibrations, and the board does not validate what is written: make a backup first. Blocks
+/// are multiples of 64 bytes at multiples of 64; reading may start and end anywhere.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Eeprom {
@@ -45,7 +45,7 @@ enum What {
         #[arg(value_parser = values::number)]
         length: u32,
     },
-    /// Write blocks of 64 bytes, and read them back; asks first
+    /// Write blocks of 64 bytes and read them back (asks first)
     #[command(after_help = "Examples:
   sbgc eeprom backup all.bin && sbgc eeprom write 0 all.bin --yes
   sbgc eeprom backup all.bin && sbgc eeprom write 0 all.bin --dry-run")]
@@ -65,7 +65,7 @@ enum What {
         /// File to write
         file: PathBuf,
     },
-    /// Write a backup to the EEPROM: only blocks that differ; asks first
+    /// Write a backup to the EEPROM, only blocks that differ (asks first)
     #[command(after_help = "Examples:
   sbgc eeprom backup board.eeprom && sbgc eeprom restore board.eeprom --yes
   sbgc eeprom backup board.eeprom && sbgc eeprom restore board.eeprom --dry-run")]

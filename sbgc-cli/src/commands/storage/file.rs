@@ -46,7 +46,7 @@ enum What {
         /// File to write [default: standard output]
         file: Option<PathBuf>,
     },
-    /// Write a file, and read it back; asks first
+    /// Write a file and read it back (asks first)
     #[command(after_help = "Examples:
   sbgc encode RESET | sbgc file write script:3 - --yes
   sbgc encode RESET | sbgc file write 0x0301 - --dry-run")]
@@ -57,7 +57,7 @@ enum What {
         /// File to read; - is standard input
         file: PathBuf,
     },
-    /// Delete a file; asks first
+    /// Delete a file (asks first)
     #[command(after_help = "Examples:
   sbgc file delete script:0 --dry-run
   sbgc --dry-run --json file delete 0x0301")]

@@ -38,7 +38,7 @@ enum What {
         #[arg(value_parser = length)]
         length: u8,
     },
-    /// Write bytes to a register; asks first
+    /// Write bytes to a register (asks first)
     #[command(after_help = "Examples:
   sbgc i2c write 0x68 0x6b 00 --dry-run
   sbgc --json --dry-run i2c write 0x68 0x6b 80")]

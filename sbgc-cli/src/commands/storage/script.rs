@@ -33,7 +33,7 @@ pub(crate) struct Script {
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Store a compiled script in a slot; asks first
+    /// Store a compiled script in a slot (asks first)
     #[command(after_help = "Examples:
   sbgc encode RESET > program.bin && sbgc script upload 3 program.bin --yes
   sbgc encode RESET | sbgc script upload 3 - --dry-run")]
@@ -59,7 +59,7 @@ enum What {
         #[command(flatten)]
         slot: Slot,
     },
-    /// Delete the script in a slot; asks first
+    /// Delete the script in a slot (asks first)
     #[command(after_help = "Examples:
   sbgc script delete 2 --dry-run
   sbgc --json --dry-run script delete 2")]
@@ -72,7 +72,7 @@ enum What {
   sbgc script trace
   sbgc script trace --json")]
     Trace {
-        /// Slot whose script is started for it [default: whichever runs with a trace]
+        /// Slot of the script to start [default: trace the running one]
         #[arg(value_parser = clap::value_parser!(u8).range(1..=10))]
         slot: Option<u8>,
     },

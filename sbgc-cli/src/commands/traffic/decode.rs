@@ -21,8 +21,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Explain captured traffic
 ///
-/// Shows each frame with all its fields, and each run of bytes that are no frame with the cause. What comes through a
-/// pipe is shown as it comes. Answers that only their request explains are read with what was seen before.
+/// Shows each frame with all its fields, and each run of bytes that belongs to no frame, with the cause. Piped input
+/// is shown as it arrives. Replies that depend on their request are decoded using requests seen earlier.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Decode {

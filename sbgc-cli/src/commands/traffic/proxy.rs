@@ -18,8 +18,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Share one board among several programs
 ///
-/// Prints its address on the first line, then runs until stopped. Answers go to who asked; equal data streams are shared;
-/// streams end with their clients. Other programs connect with --port tcp://HOST:PORT.
+/// Prints its address on the first line, then runs until stopped. Replies go to the client that asked; identical data
+/// streams are shared and end with their clients. Other programs connect with --port tcp://HOST:PORT.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Proxy {
@@ -27,7 +27,7 @@ pub(crate) struct Proxy {
     #[arg(long, value_name = "HOST:PORT", default_value = "127.0.0.1:4001", value_parser = host_and_port)]
     listen: String,
 
-    /// Pass on only what asks, refuse what changes something
+    /// Pass on reads only, refuse changes
     #[arg(long)]
     read_only: bool,
 

@@ -23,8 +23,8 @@ const EXAMPLES: &str = "Examples:
 
 /// Record a stream and all other traffic
 ///
-/// Subscribes as `sbgc stream` does, and writes every frame of both directions with its time, one per line and at once.
-/// A file of this name is replaced. Read it with `sbgc decode`, `sbgc plot` or `sbgc replay`.
+/// Subscribes like `sbgc stream` and writes every frame of both directions with its time, one per line, as it passes.
+/// Replaces an existing file. Read it with `sbgc decode`, `sbgc plot` or `sbgc replay`.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Record {

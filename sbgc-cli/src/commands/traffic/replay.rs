@@ -23,15 +23,15 @@ const EXAMPLES: &str = "Examples:
 
 /// Send the outgoing frames of a capture again
 ///
-/// They are sent with their distances in time, where the capture has times. Asks first when there are commands among
-/// them that change what the board keeps. --json prints each frame that was sent, then the outcome.
+/// Keeps the original timing where the capture has times. Asks first if a command among them changes what the board
+/// keeps. --json prints each frame sent, then the outcome.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Replay {
     /// Capture; standard input for `-`
     file: PathBuf,
 
-    /// Times as fast as captured
+    /// Speed relative to the capture
     #[arg(long, value_name = "N", default_value = "1", value_parser = speed, allow_hyphen_values = true)]
     speed: f64,
 

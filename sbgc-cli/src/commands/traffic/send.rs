@@ -26,7 +26,7 @@ const EXAMPLES: &str = "Examples:
 
 /// Send a command by name, or a raw frame
 ///
-/// The answer that the protocol has for the command is waited for. Asks first for commands that change what the board
+/// Waits for the reply that the protocol defines for the command. Asks first for commands that change what the board
 /// keeps. --json prints the frames of both directions, then the outcome.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES, group = ArgGroup::new("what").required(true).args(["name", "raw"]))]

@@ -39,7 +39,7 @@ pub(crate) struct Sim {
     #[arg(long)]
     pty: bool,
 
-    /// Make this symbolic link to the pseudo-terminal
+    /// Create this symbolic link to the pseudo-terminal
     #[arg(long, requires = "pty", conflicts_with = "tcp", value_name = "PATH")]
     link: Option<PathBuf>,
 
@@ -67,7 +67,7 @@ pub(crate) struct Sim {
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
 
-    /// Let something go wrong; repeat for several
+    /// Inject a fault; may be repeated
     #[arg(long = "fault", value_name = "KIND[=VALUE]")]
     faults: Vec<Fault>,
 }

@@ -31,11 +31,12 @@ const EXAMPLES: &str = "Examples:
 
 /// Watch the board live
 ///
-/// Shows attitude, targets, motor power, battery, errors, the link, and plots. Needs a terminal, best of 80 columns and 24 lines or more. `q` or Ctrl-C ends it, `p` pauses, `c` clears the plots.
+/// Shows attitude, targets, motor power, battery, errors, the link, and plots. Needs a terminal, preferably of 80
+/// columns and 24 lines or more. `q` or Ctrl-C ends it, `p` pauses, `c` clears the plots.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Monitor {
-    /// Time between samples (20ms) or their rate (50Hz)
+    /// Interval (20ms) or rate (50Hz)
     #[arg(long, default_value = "50ms", value_parser = values::interval, value_name = "TIME", allow_hyphen_values = true)]
     interval: u16,
 }

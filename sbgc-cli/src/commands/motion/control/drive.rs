@@ -52,9 +52,9 @@ struct Speeds {
     yaw: Option<f32>,
 }
 
-/// Take the place of the radio control's sticks
+/// Replace the sticks of the radio control
 ///
-/// What a signal does is for the board's RC settings to say. Runs until interrupted, or for the time of --for.
+/// The board's RC settings determine what a signal does. Runs until interrupted, or for the time of --for.
 /// Then the axes stop, and control goes back to the board.
 #[derive(Args, Debug)]
 #[command(after_help = RC_EXAMPLES)]

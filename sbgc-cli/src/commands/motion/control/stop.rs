@@ -16,7 +16,7 @@ const EXAMPLES: &str = "Examples:
 
 /// Stop all axes and return control to the board's other sources
 ///
-/// Ends moves that were handed over, and undoes what CMD_CONTROL_CONFIG has set up.
+/// Ends moves that were handed over, and resets what CMD_CONTROL_CONFIG has set.
 #[derive(Args, Debug)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Stop {}

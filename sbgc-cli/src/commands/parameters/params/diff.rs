@@ -14,9 +14,9 @@ use crate::output::Output;
 
 /// Compare parameters of files, of the board and of its profiles
 ///
-/// A and B are a file, `board`, `defaults` or `profile:N`. Of a file only the profiles and parameters that it has are
-/// compared. Next to a profile or defaults, `board` is the active profile. No command reads the factory values of a real
-/// board: `profile reset` keeps those that it finds, and `defaults` means them from then on.
+/// A and B are a file, `board`, `defaults` or `profile:N`. For a file, only the profiles and parameters that it
+/// contains are compared. Compared with a profile or defaults, `board` is the active profile. No command reads the
+/// factory values of a real board: `profile reset` keeps those that it finds, and `defaults` means them from then on.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   sbgc params dump gimbal.toml && sbgc params diff gimbal.toml
@@ -35,7 +35,7 @@ pub(super) struct Diff {
     #[arg(long, value_name = "N", value_parser = profile)]
     profile: Option<Profile>,
 
-    /// Of a GUI's file compare also: likely, unit-specific, link
+    /// Also compare from a GUI's file: likely, unit-specific, link
     #[arg(long, value_name = "CLASS", value_parser = include)]
     include: Vec<Include>,
 

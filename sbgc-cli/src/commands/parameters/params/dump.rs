@@ -15,8 +15,8 @@ use crate::{files, talk};
 
 /// Save parameters as TOML
 ///
-/// Prints the document or writes FILE as a whole. Where FILE is such a document of the same profiles, its comments
-/// and the order of its lines are kept. `params restore` reads it back.
+/// Prints the document, or replaces FILE as a whole. If FILE has the same profiles already, keeps its comments and
+/// the order of its lines. `params restore` reads it back.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   sbgc params dump
@@ -32,7 +32,7 @@ pub(super) struct Dump {
     #[arg(long, value_name = "N|all", value_parser = profiles)]
     profile: Option<Profiles>,
 
-    /// File that the vendor's GUI saved: FILE becomes a copy of it with the values of the board
+    /// File saved by the vendor's GUI; FILE becomes a copy of it with the board's values
     #[arg(long, value_name = "FILE.profile", requires = "file")]
     profile_template: Option<PathBuf>,
 

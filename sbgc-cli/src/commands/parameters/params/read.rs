@@ -20,7 +20,7 @@ use crate::text;
   sbgc params list 'motors.*' servo_rate
   sbgc params list --profile 2 --json")]
 pub(super) struct List {
-    /// Names or patterns; all when omitted
+    /// Names or patterns [default: all]
     #[arg(value_name = "PATTERN", add = ArgValueCandidates::new(candidates))]
     names: Vec<String>,
 
@@ -45,7 +45,7 @@ pub(super) struct Get {
     profile: Option<Profile>,
 }
 
-/// Explain parameters: meaning, unit, range and names of values; needs no board
+/// Explain parameters: meaning, unit, range, names of values (needs no board)
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   sbgc params describe rc_memory.pitch

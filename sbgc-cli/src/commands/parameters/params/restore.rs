@@ -16,11 +16,11 @@ use crate::talk;
 
 /// Write the parameters of a file to the board
 ///
-/// Checks the file before anything is sent, shows what differs, asks, saves a backup, writes only blocks that differ and
-/// reads them back. A parameter that the file does not have stays as it is. When it is interrupted, run it again.
+/// Checks the file before anything is sent, shows what differs, asks, saves a backup, writes only blocks that differ
+/// and reads them back. A parameter that the file does not have stays as it is. If it is interrupted, run it again.
 ///
-/// FILE may also be a .profile of the vendor's GUI; of that only values whose meaning is sure are written, unless others
-/// are included. What is never written but holds something is listed.
+/// FILE may also be a .profile of the vendor's GUI. Of such a file, only values whose meaning is certain are written,
+/// unless --include adds others; values that are never written are listed.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   sbgc params dump gimbal.toml && sbgc params restore gimbal.toml
@@ -29,15 +29,16 @@ pub(super) struct Restore {
     /// File of `params dump`, or of the GUI
     file: PathBuf,
 
-    /// Profile to write to, for a file with one; else the only one to restore [default: for a GUI's file the active one]
+    /// Profile to write a file with one profile to, or the only one to restore of several [default: as in the file,
+    /// or the active one for a GUI's file]
     #[arg(long, value_name = "N", value_parser = profile)]
     profile: Option<Profile>,
 
-    /// Accept a file from another firmware; what both have is written
+    /// Accept a file from another firmware and write what both have
     #[arg(long)]
     force: bool,
 
-    /// Of a GUI's file write also: likely, unit-specific (calibration, wiring), link (ports)
+    /// Also write from a GUI's file: likely, unit-specific (calibration, wiring), link (ports)
     #[arg(long, value_name = "CLASS", value_parser = include)]
     include: Vec<Include>,
 }

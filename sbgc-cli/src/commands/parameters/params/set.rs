@@ -14,8 +14,8 @@ use crate::output::Output;
 
 /// Write parameters
 ///
-/// Values may have a unit (45deg, 0.5s), be the name of a value, names of flags joined by |, or a raw number in hex
-/// after 0x. Asks first, saves a backup, writes the blocks that change and reads them back.
+/// A value is a number with or without unit (45deg, 0.5s), the name of a value, names of flags joined by |, or a raw
+/// number in hex (0x1F). Asks first, saves a backup, writes the blocks that change and reads them back.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   sbgc params set rc_memory.pitch=-30deg --yes

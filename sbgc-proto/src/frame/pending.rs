@@ -2,13 +2,17 @@
 
 use super::MAX_FRAME;
 
+/// How many bytes there is room for, those included that were taken: on computers for so many that the rest is moved to
+/// the front once a frame, however small the steps are in which false candidates are taken.
+const ROOM: usize = if cfg!(target_os = "none") { MAX_FRAME } else { 2 * MAX_FRAME };
+
 /// A queue of at most one frame's bytes, in one piece, that knows when it is worth a look.
 ///
 /// What is taken stays in memory until the next byte is put in, so that a frame can be lent out of it and be gone from
 /// it all the same.
 #[derive(Clone, Debug)]
 pub(super) struct Pending {
-    bytes: [u8; MAX_FRAME],
+    bytes: [u8; ROOM],
     /// Where the bytes start that were not taken.
     head: usize,
     /// Where they end. 0, as `head`, once all were taken.
@@ -21,7 +25,7 @@ pub(super) struct Pending {
 
 impl Pending {
     pub(super) const fn new() -> Self {
-        Self { bytes: [0; MAX_FRAME], head: 0, end: 0, until: 0, taken: 0 }
+        Self { bytes: [0; ROOM], head: 0, end: 0, until: 0, taken: 0 }
     }
 
     pub(super) fn as_slice(&self) -> &[u8] {
@@ -44,10 +48,10 @@ impl Pending {
 
     /// The next look is worth it once there are `length` bytes, which is at most [`MAX_FRAME`].
     pub(super) fn wait_for(&mut self, length: usize) {
-        if self.head + length > MAX_FRAME {
+        if self.head + length > ROOM {
             self.move_to_front();
         }
-        self.until = (self.head + length).min(MAX_FRAME);
+        self.until = (self.head + length).min(ROOM);
     }
 
     /// What is known of the candidate holds no more.
@@ -58,7 +62,7 @@ impl Pending {
     /// Puts one byte in.
     #[inline]
     pub(super) fn push(&mut self, byte: u8) {
-        if self.end >= MAX_FRAME {
+        if self.end >= ROOM {
             self.move_to_front();
         }
         if let Some(place) = self.bytes.get_mut(self.end) {
@@ -125,7 +129,7 @@ impl Pending {
                     *place = byte;
                 }
             }
-        } else if head <= self.end && self.end <= MAX_FRAME {
+        } else if head <= self.end && self.end <= ROOM {
             self.bytes.copy_within(head..self.end, 0);
         }
         self.end = self.end.saturating_sub(head);

@@ -119,7 +119,6 @@ fn read_fixed(
     lifetime: &TokenStream,
     context_type: &TokenStream,
 ) -> Option<TokenStream> {
-    let varies = |field: &Field| field.is_option || field.arguments.count.is_some();
     if structure.fields.iter().any(varies) {
         return None;
     }
@@ -173,6 +172,14 @@ fn write(structure: &Structure) -> TokenStream {
     let has_tail = structure.fields.iter().any(|field| field.is_option && field.arguments.when.is_none());
     let ended = has_tail.then(|| local!(let mut ended = None;));
     let steps = structure.fields.iter().map(write_field);
+    let write_fixed = write_fixed(structure, &context_type);
+    let whole = write_fixed.is_some().then(|| {
+        local! {
+            if <Self as crate::wire::Layout>::FIXED {
+                return crate::wire::write_whole(self, context, out);
+            }
+        }
+    });
     local! {
         impl #generics crate::wire::ToWire<#context_type> for #ty {
             #[allow(unused_variables, reason = "only conditions look at the context")]
@@ -181,14 +188,51 @@ fn write(structure: &Structure) -> TokenStream {
                 context: #context_type,
                 out: &mut crate::wire::Writer<'_>,
             ) -> ::core::result::Result<(), crate::EncodeError> {
+                #whole
                 #context
                 let #pattern = self;
                 #ended
                 #(#steps)*
                 ::core::result::Result::Ok(())
             }
+
+            #write_fixed
         }
     }
+}
+
+/// How a struct is written that always has the same length: one check, then fields at fixed offsets.
+fn write_fixed(structure: &Structure, context_type: &TokenStream) -> Option<TokenStream> {
+    if structure.fields.iter().any(varies) {
+        return None;
+    }
+    let context = bind_context(structure);
+    let pattern = structure.pattern();
+    let steps = structure.fields.iter().map(|field| {
+        let (name, ty) = (&field.name, &field.ty);
+        let context = context_of(field);
+        local! {
+            let (here, place) = place.split_at_mut_checked(<#ty as crate::wire::Layout>::MIN_LEN)?;
+            crate::wire::ToWire::write_fixed(#name, #context, here)?;
+        }
+    });
+    Some(local! {
+        #[inline]
+        #[allow(unused_variables, reason = "only conditions look at the context")]
+        fn write_fixed(&self, context: #context_type, place: &mut [u8]) -> ::core::option::Option<()> {
+            // With its length known, the compiler drops the checks of the fields.
+            let place = place.get_mut(..<Self as crate::wire::Layout>::MIN_LEN)?;
+            #context
+            let #pattern = self;
+            #(#steps)*
+            ::core::option::Option::Some(())
+        }
+    })
+}
+
+/// Whether the declaration leaves the length of the field open.
+fn varies(field: &Field) -> bool {
+    field.is_option || field.arguments.count.is_some()
 }
 
 fn write_field(field: &Field) -> TokenStream {

@@ -48,6 +48,12 @@ macro_rules! number_type {
                 let $value = *self;
                 $crate::wire::ToWire::write(&$into, (), out)
             }
+
+            #[inline]
+            fn write_fixed(&self, (): (), place: &mut [u8]) -> Option<()> {
+                let $value = *self;
+                $crate::wire::ToWire::write_fixed(&$into, (), place)
+            }
         }
 
         #[cfg(feature = "reflect")]

@@ -58,11 +58,21 @@ macro_rules! groups {
             }
         }
 
-        impl<T: ToWire<C>, C: Copy> ToWire<C> for $group<T> {
+        impl<T: Layout + ToWire<C>, C: Copy> ToWire<C> for $group<T> {
             #[inline]
             fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError> {
                 $(self.$part.write(context, out)?;)*
                 Ok(())
+            }
+
+            #[inline]
+            fn write_fixed(&self, context: C, place: &mut [u8]) -> Option<()> {
+                $(
+                    let (here, place) = place.split_at_mut_checked(T::MIN_LEN)?;
+                    self.$part.write_fixed(context, here)?;
+                )*
+                let _ = place;
+                Some(())
             }
         }
     )* };
@@ -119,8 +129,18 @@ impl<'a, T: FromWire<'a, C> + Default + Copy, C: Copy, const N: usize> FromWire<
     }
 }
 
-impl<T: ToWire<C>, C: Copy, const N: usize> ToWire<C> for [T; N] {
+impl<T: Layout + ToWire<C>, C: Copy, const N: usize> ToWire<C> for [T; N] {
     fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError> {
         self.iter().try_for_each(|element| element.write(context, out))
+    }
+
+    #[inline]
+    fn write_fixed(&self, context: C, mut place: &mut [u8]) -> Option<()> {
+        for element in self {
+            let (here, rest) = place.split_at_mut_checked(T::MIN_LEN)?;
+            element.write_fixed(context, here)?;
+            place = rest;
+        }
+        Some(())
     }
 }

@@ -30,7 +30,7 @@ pub use writer::Writer;
 
 #[cfg(any(feature = "serde", test))]
 pub(crate) use bytes::Hex;
-pub(crate) use option::{read_field, read_tail, read_when, read_whole, write_tail, write_when};
+pub(crate) use option::{read_field, read_tail, read_when, read_whole, write_tail, write_when, write_whole};
 pub(crate) use slot::fixed;
 
 use crate::EncodeError;
@@ -73,4 +73,13 @@ pub trait ToWire<C = ()> {
     /// If `out` is full or the value is inconsistent, for example if an optional field is present although its flag is
     /// not set.
     fn write(&self, context: C, out: &mut Writer<'_>) -> Result<(), EncodeError>;
+
+    /// Writes a value of [fixed](Layout::FIXED) length to the front of `place`, or returns nothing where that is
+    /// shorter.
+    ///
+    /// No error to build and no length to count, so it comes down to stores to fixed offsets.
+    #[inline]
+    fn write_fixed(&self, context: C, place: &mut [u8]) -> Option<()> {
+        self.write(context, &mut Writer::new(place)).ok()
+    }
 }

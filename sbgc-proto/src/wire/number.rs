@@ -38,6 +38,12 @@ macro_rules! integers {
             fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
                 out.put_array(&self.to_le_bytes())
             }
+
+            #[inline]
+            fn write_fixed(&self, (): (), place: &mut [u8]) -> Option<()> {
+                *place.first_chunk_mut()? = self.to_le_bytes();
+                Some(())
+            }
         }
     )* };
 }
@@ -107,6 +113,12 @@ impl ToWire for U24 {
     fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
         out.put_array(&self.0)
     }
+
+    #[inline]
+    fn write_fixed(&self, (): (), place: &mut [u8]) -> Option<()> {
+        *place.first_chunk_mut()? = self.0;
+        Some(())
+    }
 }
 
 /// 32-bit float that preserves all bits, including those of a NaN, and compares by them. Spec type `4f`.
@@ -171,5 +183,10 @@ impl ToWire for Float {
     #[inline]
     fn write(&self, (): (), out: &mut Writer<'_>) -> Result<(), EncodeError> {
         self.0.write((), out)
+    }
+
+    #[inline]
+    fn write_fixed(&self, (): (), place: &mut [u8]) -> Option<()> {
+        self.0.write_fixed((), place)
     }
 }

@@ -1,6 +1,6 @@
 //! Fields that may be absent, and fields that say their name when they cannot be read.
 
-use super::{Fault, FromWire, Read, ToWire, Writer};
+use super::{Fault, FromWire, Layout, Read, ToWire, Writer};
 use crate::EncodeError;
 
 /// Reads a field that is always there.
@@ -20,6 +20,16 @@ pub(crate) fn read_whole<'a, T: FromWire<'a, C>, C>(input: &'a [u8], context: C)
         (Some(value), Some(rest)) => Ok((rest, value)),
         _ => Fault::short(T::MIN_LEN, input),
     }
+}
+
+/// Writes a value of fixed length.
+#[inline]
+pub(crate) fn write_whole<T: Layout + ToWire<C>, C>(
+    value: &T,
+    context: C,
+    out: &mut Writer<'_>,
+) -> Result<(), EncodeError> {
+    out.put_with(T::MIN_LEN, |place| value.write_fixed(context, place))
 }
 
 /// Reads a field that is there when `present`.

@@ -63,6 +63,23 @@ impl<'o> Writer<'o> {
         }
     }
 
+    /// Appends `count` bytes that `write` puts in their place.
+    #[inline]
+    pub(crate) fn put_with(
+        &mut self,
+        count: usize,
+        write: impl FnOnce(&mut [u8]) -> Option<()>,
+    ) -> Result<(), EncodeError> {
+        let place = self.buffer.get_mut(self.length..).and_then(|rest| rest.get_mut(..count));
+        match place.and_then(write) {
+            Some(()) => {
+                self.length += count;
+                Ok(())
+            }
+            None => Err(self.full(count)),
+        }
+    }
+
     #[cold]
     fn full(&self, more: usize) -> EncodeError {
         EncodeError::BufferTooSmall { needed: self.length.saturating_add(more), capacity: self.buffer.len() }

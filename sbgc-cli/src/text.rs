@@ -135,6 +135,20 @@ pub(crate) fn wrap(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
+/// Breaks a value with several names into lines of at most `width` columns, behind `|` and at spaces.
+pub(crate) fn wrap_names(value: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in value.split_inclusive(['|', ' ']) {
+        match lines.last_mut() {
+            Some(line) if line.chars().count() + part.trim_end().chars().count() <= width => {
+                line.push_str(part);
+            }
+            _ => lines.push(part.to_owned()),
+        }
+    }
+    lines
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -165,6 +179,8 @@ mod tests {
     fn lines_are_broken_at_spaces() {
         assert_eq!(wrap("one two three", 7), ["one two", "three"]);
         assert_eq!(wrap("unbreakable", 3), ["unbreakable"]);
+        assert_eq!(wrap_names("7 (ONE|TWO|THREE)", 10), ["7 (ONE|", "TWO|THREE)"]);
+        assert_eq!(wrap_names("7", 1), ["7"]);
     }
 
     #[test]

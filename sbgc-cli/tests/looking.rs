@@ -82,6 +82,19 @@ fn the_whole_board_is_shown() {
     let text = stdout(&success(&["--port", "sim", "info"]));
     assert!(text.contains("eeprom_size") && text.contains("32768 byte"), "{text}");
     assert!(text.lines().last().unwrap().contains("--json shows them all"), "{text}");
+    // On a terminal, long lists of names are broken to its width.
+    let (mut master, name) = common::terminal();
+    let terminal = File::options().read(true).write(true).open(&name).unwrap();
+    let mut child = sbgc().args(["--port", "sim", "info"]).stdout(terminal).spawn().unwrap();
+    let (mut shown, mut piece) = (Vec::new(), [0; 4096]);
+    while !String::from_utf8_lossy(&shown).contains("--json shows them all") {
+        let length = master.read(&mut piece).unwrap_or(0);
+        shown.extend_from_slice(&piece[..length]);
+    }
+    assert!(child.wait().unwrap().success());
+    let shown = String::from_utf8(shown).unwrap();
+    assert!(shown.contains("BOARD_FEATURE_3AXIS|"), "{shown}");
+    assert!(shown.lines().all(|line| line.trim_end().chars().count() <= 80), "{shown}");
     // A board that says no to what else is asked is still shown.
     let old = common::boards::moody(common::boards::Mood::Refuses(2)).0;
     let info = &objects(&success(&["--port", &old, "info", "--json"]))[0];

@@ -1,5 +1,7 @@
 //! `sbgc info`: what the board is.
 
+use std::io::{self, IsTerminal as _};
+
 use clap::Args;
 use sbgc_host::{Error, Gimbal};
 use sbgc_proto::commands::{
@@ -10,9 +12,9 @@ use serde_json::{Map, Value};
 
 use crate::connect::with_board;
 use crate::failure::Failure;
-use crate::fields;
 use crate::options::Global;
 use crate::output::Output;
+use crate::{fields, text};
 
 const EXAMPLES: &str = "Examples:
   sbgc info
@@ -59,6 +61,9 @@ fn known<T>(answer: Result<Option<T>, Error>) -> Result<Option<T>, Failure> {
     }
 }
 
+/// Columns that values have at least.
+const MIN_ROOM: usize = 30;
+
 impl Info {
     pub(crate) async fn run(self, global: &Global, output: &mut Output) -> Result<(), Failure> {
         let known = with_board(global, async |gimbal, info| Known::ask(&gimbal, info).await).await?;
@@ -85,8 +90,15 @@ impl Info {
         let zeros: usize = parts.iter().map(|(_, zeros)| zeros).sum();
         let lines = || parts.iter().flat_map(|(lines, _)| lines);
         let width = lines().map(|(path, _)| path.len()).max().unwrap_or_default();
+        // Programs get one line per field.
+        let terminal = io::stdout().is_terminal();
+        let room = if terminal { text::width().saturating_sub(width + 2).max(MIN_ROOM) } else { usize::MAX };
         for (path, value) in lines() {
-            output.line(format_args!("{path:<width$}  {value}"))?;
+            let mut path = path.as_str();
+            for line in text::wrap_names(value, room) {
+                output.line(format_args!("{path:<width$}  {}", line.trim_end()))?;
+                path = "";
+            }
         }
         if zeros > 0 {
             output.line(format_args!("({zeros} fields are 0; --json shows them all)"))?;

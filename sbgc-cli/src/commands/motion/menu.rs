@@ -54,7 +54,7 @@ fn command(name: &str) -> Result<(MenuCommand, &'static str), Failure> {
             let names: Vec<String> = short_names().map(str::to_ascii_lowercase).collect();
             let message =
                 text::unknown("menu command", &wanted.to_ascii_lowercase(), names.iter().map(String::as_str));
-            Err(Failure::Usage(format!("{message}; `sbgc menu list` lists all")))
+            Err(Failure::Usage(format!("{message} `sbgc menu list` lists all.")))
         }
     }
 }

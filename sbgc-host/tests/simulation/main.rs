@@ -26,6 +26,9 @@ const SEEDS: &[u64] = &[
     3_381_114_333_875_050_752,
     // The end of one stream is lost, and the confirmation of another's end is taken for its own.
     16_903_278_981_020_786_366,
+    // The end of a stream goes on being confirmed for a while.
+    15_463_567_439_642_545_307,
+    3_635_416_546_227_894_113,
 ];
 
 fn run(seed: u64) -> Duration {

@@ -174,7 +174,7 @@ fn a_minute_of_everything_neither_grows_nor_stalls() {
     soak(Duration::from_mins(1));
 }
 
-/// Takes half a minute when built for release.
+/// Takes some minutes when built for release.
 #[test]
 #[ignore = "for release builds: cargo test --release --test soak -- --ignored"]
 fn an_hour_of_everything_neither_grows_nor_stalls() {

@@ -60,8 +60,11 @@ fn motors_on(machine: &mut Machine) -> Replies {
 fn motors_off(machine: &mut Machine, call: &Call<'_>, mode: MotorsOffMode) -> Replies {
     match mode {
         MotorsOffMode::SafeStop => safe_stop(machine, call.now, call.port),
-        // In a brake the windings are shorted: the camera stands, as it does here anyway.
-        MotorsOffMode::Normal | MotorsOffMode::Brake => machine.set_motors(false),
+        MotorsOffMode::Normal => machine.set_motors(false),
+        MotorsOffMode::Brake => {
+            machine.set_motors(false);
+            machine.motion.brake();
+        }
         _ => return Err(Refusal::Parameters),
     }
     done(CommandId::MotorsOff)

@@ -8,6 +8,9 @@ const REACHED: f64 = 1.0;
 /// The delay with which the camera follows its set-point, in seconds.
 const DELAY: f64 = 0.02;
 
+/// The time in which friction takes most of the speed of an axis without motor, in seconds.
+const COASTING: f64 = 0.3;
+
 /// How strongly the outer loop of speed with angle corrects: per second, and per second squared.
 const OUTER_P: f64 = 5.0;
 const OUTER_I: f64 = 6.0;
@@ -101,6 +104,23 @@ impl Axis {
         self.setpoint_speed = 0.0;
         self.correction = 0.0;
         self.surge = 0.0;
+    }
+
+    /// Lets it go: it turns on freely, and nothing drives it any more.
+    pub(super) fn release(&mut self) {
+        let speed = self.speed;
+        self.put(self.angle);
+        self.speed = speed;
+    }
+
+    /// Turns on freely for a step.
+    pub(super) fn coast(&mut self, seconds: f64) {
+        self.angle += self.speed * seconds;
+        self.setpoint = self.angle;
+        self.speed *= (-seconds / COASTING).exp();
+        if self.speed.abs() < 0.01 {
+            self.speed = 0.0;
+        }
     }
 
     /// Moves where it is thought to be, while what it was told stays.

@@ -2,7 +2,7 @@
 //!
 //! Real: each axis moves toward where it should be with limited speed and limited acceleration, in steps of the board's
 //! control cycle, and stops at its limits; the camera follows its set-point with a small delay, so that the two differ
-//! while it moves; it hangs where it is while the motors are off; angles are kept over many turns and leave the board
+//! while it moves; with the motors off it coasts to rest, unless they brake it; angles are kept over many turns and leave the board
 //! as the 14-bit numbers of the protocol.
 //!
 //! Simplified: the axes do not disturb one another, and the camera is in perfect balance: it neither sags with the
@@ -117,11 +117,24 @@ impl Motion {
             axis.goal = Goal::Rest;
             axis.task = None;
         }
-        self.set_motors(motors_on);
+        self.motors_on = motors_on;
+        self.brake();
     }
 
+    /// Turns the motors on, or lets the camera go.
     pub(super) fn set_motors(&mut self, on: bool) {
         self.motors_on = on;
+        for axis in self.each_mut() {
+            if on {
+                axis.put(axis.angle);
+            } else {
+                axis.release();
+            }
+        }
+    }
+
+    /// Brings all axes to rest at once, as motors do whose windings are shorted.
+    pub(super) fn brake(&mut self) {
         for axis in self.each_mut() {
             axis.put(axis.angle);
         }
@@ -132,7 +145,8 @@ impl Motion {
         let seconds = CYCLE.as_secs_f64();
         while now.saturating_sub(self.now) >= CYCLE {
             let motors_on = self.motors_on;
-            let moving = |axis: &Axis| motors_on && axis.present && !axis.is_settled();
+            let moving =
+                |axis: &Axis| axis.present && if motors_on { !axis.is_settled() } else { axis.speed != 0.0 };
             if !self.axes.into_array().iter().any(moving) {
                 // Nothing moves until the next command: the cycles up to then are alike.
                 let cycles = now.saturating_sub(self.now).as_nanos() / CYCLE.as_nanos();
@@ -143,8 +157,10 @@ impl Motion {
             self.now += CYCLE;
             let frame = self.frame.into_array();
             for (axis, frame) in self.each_mut().into_iter().zip(frame) {
-                if moving(axis) {
+                if moving(axis) && motors_on {
                     axis.step(seconds, frame);
+                } else if moving(axis) {
+                    axis.coast(seconds);
                 }
             }
             let moment = Moment {

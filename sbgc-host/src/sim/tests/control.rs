@@ -135,11 +135,12 @@ fn remote_control_is_mapped_by_the_parameters() {
 }
 
 #[test]
-fn without_motors_the_camera_hangs_where_it_is() {
+fn without_motors_the_camera_stays_where_it_has_come_to_rest() {
     let mut bench = Bench::new(Config::default());
     bench.ask_one(&pitch_to(60.0, 0.0));
     bench.run(ms(300));
     assert_eq!(confirmed(&bench.ask_one(&MotorsOff::default())), (CommandId::MotorsOff, 0));
+    bench.run(ms(3000));
     let hangs = pitch(&bench);
     assert!(hangs > 1.0 && hangs < 59.0);
     bench.run(ms(1000));

@@ -2,14 +2,14 @@
 
 use sbgc_proto::commands::{
     Control, ControlAxis, ControlConfig, ControlConfigFlags, ControlMode, ControlQuat, ControlQuatConfig,
-    ControlQuatConfigDataSet, ControlQuatFlags, ExecuteMenu, MenuCommand, ParamsExt2, ProfileId,
-    ReadParamsExt2, WriteParamsExt2,
+    ControlQuatConfigDataSet, ControlQuatFlags, ExecuteMenu, MenuCommand, MotorsOff, MotorsOffMode,
+    ParamsExt2, ProfileId, ReadParamsExt2, WriteParamsExt2,
 };
 use sbgc_proto::units::{Angle, ControlRate, ControlRateLimit, FirmwareVersion, JerkSlope};
 use sbgc_proto::wire::PerAxis;
 
 use super::{Bench, ms};
-use crate::sim::{Axis, Config};
+use crate::sim::{Axis, Config, POLL};
 
 fn change_2(bench: &mut Bench, change: impl FnOnce(&mut ParamsExt2)) {
     let mut block = bench.ask_one(&ReadParamsExt2 { profile_id: ProfileId::Current }).decoded::<ParamsExt2>();
@@ -190,4 +190,26 @@ fn a_command_goes_on_when_the_task_before_it_is_done() {
     bench.run(ms(8000));
     assert!(moments(&bench) < 1.0, "the task overrides the command until it is done");
     assert!((yaw(&bench).angle - 50.0).abs() < 0.1, "then the command holds again: {:?}", yaw(&bench));
+}
+
+#[test]
+fn without_motors_the_camera_coasts_to_rest_unless_they_brake_it() {
+    for (mode, least, most) in [
+        (MotorsOffMode::Normal, 5.0, 30.0),
+        (MotorsOffMode::Brake, 0.0, 0.5),
+        (MotorsOffMode::SafeStop, 1.0, 30.0),
+    ] {
+        let mut bench = Bench::new(Config::default());
+        bench.ask_one(&speed(50.0));
+        bench.run(ms(1000));
+        let start = yaw(&bench).angle;
+        bench.send(&MotorsOff { mode });
+        bench.run(POLL);
+        let at_once = yaw(&bench).angle;
+        bench.run(ms(5000));
+        assert!(!bench.board.motion().motors_on());
+        let way = yaw(&bench).angle - start;
+        assert!(at_once < start + 1.0 && yaw(&bench).speed.to_bits() == 0, "{mode:?}: {:?}", yaw(&bench));
+        assert!(way >= least && way < most, "{mode:?}: {way}");
+    }
 }

@@ -63,6 +63,8 @@ async fn two_streams_at_once() {
     }
     drop(all);
     drop(some);
+    // The end of the second is sent when that of the first is confirmed.
+    tokio::time::sleep(Duration::from_millis(100)).await;
     gimbal.angles().await.unwrap();
     let before = gimbal.counters().received.frames;
     tokio::time::sleep(Duration::from_secs(1)).await;

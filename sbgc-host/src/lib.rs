@@ -78,6 +78,15 @@
 //! # Ok(())
 //! # }
 //! ```
+//!
+//! # Features
+//!
+//! | feature | what it adds |
+//! | --- | --- |
+//! | `serial` (default) | serial ports of the operating system |
+//! | `params` | the module `params`: parameters by name, files, profiles and adjustable variables |
+//! | `capture` | the module `capture`: recording, reading and interpreting traffic |
+//! | `sim` | the module `sim`: the simulated board, and the address `sim` |
 #![cfg_attr(
     not(test),
     deny(

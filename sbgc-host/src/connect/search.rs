@@ -8,8 +8,8 @@ use sbgc_proto::commands::BoardInfo;
 use sbgc_proto::frame::Version;
 use tokio::time::Instant;
 
+use super::options::{ConnectOptions, Reconnect, Wrap};
 use super::peek::Peeked;
-use super::{ConnectOptions, Reconnect, Wrap};
 use crate::error::{Error, Result};
 use crate::foreign::{Foreign, recognise};
 use crate::gimbal::{Found, Gimbal, Options, VersionChoice, knows_version_2};

@@ -1,5 +1,6 @@
 use std::collections::VecDeque;
 use std::sync::{Arc, Mutex};
+use std::time::Duration;
 
 use sbgc_proto::Message;
 use sbgc_proto::commands::{BoardInfo, BoardInfo3, RealtimeData4};
@@ -11,10 +12,11 @@ use tokio::net::TcpListener;
 use super::search::combinations;
 use super::*;
 use crate::error::Error;
+use crate::gimbal::Options;
 use crate::machine::{Interruption, LinkState, Sample};
 use crate::streams::StreamRequest;
 use crate::task::{Dial, Redial};
-use crate::transport::Line;
+use crate::transport::{Line, Parity};
 
 const MS: fn(u64) -> Duration = Duration::from_millis;
 

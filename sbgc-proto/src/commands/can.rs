@@ -124,7 +124,7 @@ pub struct ModuleList {
 #[record(size = 13)]
 #[derive(Copy)]
 pub struct CanModule {
-    /// Module the command applies to.
+    /// Module that the entry describes.
     pub id: CanModuleId,
     /// Hardware version.
     pub board_ver: ModuleVersion,
@@ -183,7 +183,7 @@ pub enum CanModuleId {
 /// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_START, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashStart {
-    /// Module the command applies to.
+    /// Module to update.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
     /// Firmware size in 32-bit words.
@@ -196,7 +196,7 @@ pub struct ModuleFlashStart {
 /// the packet number, 2 bytes each. Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_WRITE, outgoing, size = 14..=138, answer = Confirm)]
 pub struct ModuleFlashWrite<'a> {
-    /// Module the command applies to.
+    /// Module to update.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
     /// Packet number, counted from 0 and wrapping after 255.
@@ -215,7 +215,7 @@ pub struct ModuleFlashWrite<'a> {
 /// Published in the vendor's Python library only.
 #[message(CMD_MODULE_FLASH_FINISH, outgoing, size = 5, answer = Confirm)]
 pub struct ModuleFlashFinish {
-    /// Module the command applies to.
+    /// Module to update.
     #[wire(range = 1..=17)]
     pub device_id: CanModuleId,
     /// CRC-32/ISO-HDLC of the whole firmware file.

@@ -94,8 +94,12 @@ fn helpful(command: clap::Command, name: &str) -> clap::Command {
         usage.join(&format!("\n{:USAGE$}", "")),
         wrapped(&after, width),
     );
-    command.help_template(template)
+    // Beside a long option there would be no room for its explanation.
+    command.help_template(template).next_line_help(width < NARROW)
 }
+
+/// Fewer columns than this are too few for two columns of text.
+const NARROW: usize = 40;
 
 /// Columns of `Usage: `.
 const USAGE: usize = 7;

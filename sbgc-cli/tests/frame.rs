@@ -369,3 +369,16 @@ fn the_first_byte_goes_out_soon() {
     // The measure is 10 ms of an optimized program on a quiet machine; this one is neither.
     assert!(began.elapsed() < Duration::from_secs(2), "{:?}", began.elapsed());
 }
+
+/// But for examples, which are to be copied.
+#[test]
+fn help_fits_a_narrow_terminal() {
+    for command in ["decode", "stream", "calibrate"] {
+        let output = sbgc().args([command, "--help"]).env("COLUMNS", "30").output().unwrap();
+        let help = stdout(&output);
+        for line in help.lines().filter(|line| !line.starts_with("  sbgc ")) {
+            let words = line.split_whitespace().count();
+            assert!(line.chars().count() <= 30 || words == 1, "{command}: {line:?}");
+        }
+    }
+}

@@ -70,7 +70,8 @@ impl Drop for Handle {
 
 /// The task that owns the port, to be spawned. It is done when the port is.
 ///
-/// `Ok` after the last handle was dropped or one of them closed the link, else what happened to the port.
+/// `Ok` after the last handle was dropped or one of them closed the link, else what happened to the port. Until it is polled,
+/// requests wait, whatever their deadline.
 #[must_use = "nothing happens on the port until this is polled"]
 pub struct Connection(Pin<Box<dyn Future<Output = io::Result<()>> + Send>>);
 

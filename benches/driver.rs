@@ -6,10 +6,12 @@
 //! through the bare pipe.
 
 use std::io;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
 use sbgc_host::sim::{Config, in_process};
-use sbgc_host::streams::Item;
+use sbgc_host::streams::{Item, TypedStream};
 use sbgc_host::{Gimbal, Options};
 use sbgc_proto::commands::RealtimeData4;
 use sbgc_proto::frame::{MAX_FRAME, Version, encode_into};
@@ -23,7 +25,7 @@ const GET_ANGLES: u8 = 73;
 /// Longer than a cycle of the board, so that no request waits for the one before it.
 const PAUSE: Duration = Duration::from_millis(9);
 
-const REQUESTS: usize = 2000;
+const REQUESTS: usize = 1000;
 
 const GIMBALS: u32 = 100;
 
@@ -111,47 +113,50 @@ fn percentiles(mut times: Vec<Duration>) -> [f64; 3] {
     })
 }
 
+/// What came of all streams while that was counted.
+#[derive(Default)]
+struct Counts {
+    on: AtomicBool,
+    received: AtomicU64,
+    lost: AtomicU64,
+}
+
+async fn count(mut samples: TypedStream<RealtimeData4>, counts: Arc<Counts>) {
+    while let Some(item) = samples.next().await {
+        match item {
+            _ if !counts.on.load(Relaxed) => {}
+            Item::Message(_) => {
+                counts.received.fetch_add(1, Relaxed);
+            }
+            Item::Lagged(lost) => {
+                counts.lost.fetch_add(lost, Relaxed);
+            }
+            _ => {}
+        }
+    }
+}
+
 /// Many gimbals in one process, each with its simulated board and a stream of 100 samples per second.
 fn gimbals(runtime: &Runtime) -> io::Result<()> {
     let (_, memory_before) = used()?;
-    let (received, lost, cpu, memory) = runtime.block_on(async {
-        let mut streams = Vec::new();
+    let counts = Arc::new(Counts::default());
+    let (cpu, memory) = runtime.block_on(async {
+        let mut tasks = JoinSet::new();
         for _ in 0..GIMBALS {
             let gimbal = Gimbal::spawn(in_process(Config::default()), Options::default());
             gimbal.handshake().await.map_err(io::Error::other)?;
-            streams.push(
-                gimbal
-                    .stream::<RealtimeData4>(PAUSE + Duration::from_millis(1))
-                    .await
-                    .map_err(io::Error::other)?,
-            );
+            let samples = gimbal.stream::<RealtimeData4>(Duration::from_millis(10)).await;
+            tasks.spawn(count(samples.map_err(io::Error::other)?, Arc::clone(&counts)));
         }
+        // All of them run.
+        counts.on.store(true, Relaxed);
         let (before, _) = used()?;
-        let end = tokio::time::Instant::now() + SECONDS * Duration::from_secs(1);
-        let mut tasks = JoinSet::new();
-        for mut samples in streams {
-            tasks.spawn(async move {
-                let (mut received, mut lost) = (0_u64, 0);
-                while let Ok(Some(item)) = tokio::time::timeout_at(end, samples.next()).await {
-                    match item {
-                        Item::Message(_) => received += 1,
-                        Item::Lagged(count) => lost += count,
-                        _ => {}
-                    }
-                }
-                (received, lost, samples)
-            });
-        }
-        let (mut received, mut lost) = (0, 0);
-        let mut kept = Vec::new();
-        while let Some(ended) = tasks.join_next().await {
-            let (more, lagged, samples) = ended.map_err(io::Error::other)?;
-            (received, lost) = (received + more, lost + lagged);
-            kept.push(samples);
-        }
+        tokio::time::sleep(SECONDS * Duration::from_secs(1)).await;
+        counts.on.store(false, Relaxed);
         let (after, memory) = used()?;
-        Ok::<_, io::Error>((received, lost, after.saturating_sub(before), memory))
+        Ok::<_, io::Error>((after.saturating_sub(before), memory))
     })?;
+    let (received, lost) = (counts.received.load(Relaxed), counts.lost.load(Relaxed));
     let each = GIMBALS * SECONDS;
     println!(
         "{GIMBALS} gimbals with simulated boards at 100 Hz for {SECONDS} s: {received} samples, {lost} lost"

@@ -29,10 +29,10 @@ const READ_SIZE: usize = 4096;
 const SHUTDOWN: Duration = Duration::from_secs(1);
 
 /// Clocks have an end, too; a timer is set to this far ahead at most, a day.
-const FARTHEST: Duration = Duration::from_secs(24 * 3600);
+const FARTHEST: Duration = Duration::from_hours(24);
 
 /// Nobody looks for a lost port longer than this, thirty years.
-const LONGEST: Duration = Duration::from_secs(30 * 365 * 24 * 3600);
+const LONGEST: Duration = Duration::from_hours(30 * 365 * 24);
 
 /// Pauses between attempts to open the port again.
 const SHORTEST_PAUSE: Duration = Duration::from_millis(200);

@@ -7,7 +7,7 @@ use sbgc_proto::frame::Version;
 use crate::machine::Setup;
 
 /// Nobody waits longer than this, thirty years; clocks have an end, too.
-pub(crate) const LONGEST: Duration = Duration::from_secs(30 * 365 * 24 * 3600);
+pub(crate) const LONGEST: Duration = Duration::from_hours(30 * 365 * 24);
 
 /// In which version frames go out. Frames of both versions are always taken.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -119,7 +119,7 @@ impl Calibration {
     }
 
     pub(super) fn facts(&self) -> Facts {
-        let minutes = |minutes: u64| Duration::from_secs(minutes * 60);
+        let minutes = Duration::from_mins;
         let still = Facts {
             end: End::Mode,
             mode: CalibMode::None,

@@ -27,7 +27,7 @@ pub struct Replay {
 }
 
 /// Clocks of a day start again; anything else that goes backwards is taken as no distance.
-const HALF_A_DAY: Duration = Duration::from_secs(12 * 3600);
+const HALF_A_DAY: Duration = Duration::from_hours(12);
 
 impl Replay {
     /// Takes the outgoing frames of a capture.

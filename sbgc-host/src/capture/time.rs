@@ -94,7 +94,7 @@ mod tests {
     fn times_of_other_logs() {
         assert_eq!(parse("12:34:56.789"), Some(Duration::from_millis(45_296_789)));
         assert_eq!(parse("12:34:56,5"), Some(Duration::from_millis(45_296_500)));
-        assert_eq!(parse("12:34"), Some(Duration::from_secs(754 * 60)));
+        assert_eq!(parse("12:34"), Some(Duration::from_mins(754)));
         assert_eq!(parse("123456"), Some(Duration::from_millis(123_456)));
         assert_eq!(parse("1.5"), Some(Duration::from_millis(1500)));
         for text in ["", "noon", "-1", "1970-13-01T00:00:00Z", "99999999999999999999:1:1", "nan"] {

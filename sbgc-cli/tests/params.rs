@@ -643,18 +643,25 @@ fn a_board_that_is_unplugged_half_way_is_restored_by_the_next_run() {
 
     // How far it gets in a time depends on the machine, so the time is looked for.
     let mut after = 4.5;
-    for _ in 0..12 {
+    for _ in 0..20 {
         let (board, output) = unplugged(after, file, home.path());
         let talk = stderr(&output);
         if output.status.success() {
             after -= 0.5;
             continue;
         }
-        let Some((_, outcome)) = talk.split_once("written: ") else {
-            after += 0.7;
+        // It was unplugged before anything was written.
+        let begun = talk.split_once("written: ").filter(|_| !talk.contains("nothing was written"));
+        let Some((_, outcome)) = begun else {
+            after += 0.3;
             continue;
         };
-        let Some((written, left)) = outcome.split_once("not written: ") else { panic!("{talk}") };
+        let Some((written, left)) = outcome.split_once("not written: ") else {
+            // All was written, and then it could not be read back.
+            assert!(talk.contains("could not be verified"), "{talk}");
+            after -= 0.4;
+            continue;
+        };
         assert_eq!(output.status.code(), Some(3), "{talk}");
         assert!(left.contains("; run the same command again to complete it"), "{talk}");
         let (written, left) = (written.matches("CMD_").count(), left.matches(" of profile ").count());

@@ -286,6 +286,23 @@ async fn newer_firmware_that_was_heard_in_version_1_is_asked_again_in_version_2(
     }
 }
 
+/// Over a slow line answers in both versions are on their way. Once the board was asked in version 2, it takes nothing
+/// else.
+#[tokio::test(start_paused = true)]
+async fn a_late_frame_of_version_2_rules_out_version_1() {
+    let (gimbal, mut board) = gimbal();
+    let (info, ()) = tokio::join!(gimbal.handshake(), async {
+        for _ in 0..3 {
+            board.expect(BOARD_INFO).await;
+        }
+        board.send_in(Version::V1, BOARD_INFO, &board_info(2700)).await;
+        tokio::time::sleep(MS(200)).await;
+        board.send(BOARD_INFO, &board_info(2700)).await;
+    });
+    info.unwrap();
+    assert_eq!(gimbal.version(), Version::V2);
+}
+
 #[tokio::test(start_paused = true)]
 async fn version_2_is_tried_again_when_version_1_is_not_answered() {
     let (gimbal, mut board) = gimbal();

@@ -7,6 +7,7 @@ use sbgc_proto::{CommandId, Message};
 
 use super::{Gimbal, VersionChoice, encode};
 use crate::error::Result;
+use crate::machine::Machine;
 
 /// The first firmware that knows version 2.
 const KNOWS_VERSION_2: FirmwareVersion = FirmwareVersion::new(2, 68, 0);
@@ -53,7 +54,9 @@ impl Gimbal {
         let free = self.options.version == VersionChoice::Auto;
         if free && self.version() == Version::V1 && knows_version_2(info) {
             self.set_version(Version::V2);
-            if self.with_attempts(2).board_info().await.is_err() {
+            let answers = self.with_attempts(2).board_info().await.is_ok();
+            // An answer that came too late says as much, and version 1 would be ignored from now on.
+            if !answers && !self.link().look(Machine::has_heard_version_2) {
                 self.set_version(Version::V1);
             }
         }

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use bytes::Bytes;
-use sbgc_proto::frame::{Event, Frame};
+use sbgc_proto::frame::{Event, Frame, Version};
 use sbgc_proto::{CommandId, Direction};
 
 use super::call::{Failure, Waiter};
@@ -41,6 +41,7 @@ impl<W: Waiter> Machine<W> {
 
     fn on_frame(&mut self, now: Duration, frame: Frame<'_>) {
         tracing::debug!("received {}", Shown(Direction::Incoming, frame.version, frame.id, frame.payload));
+        self.heard_version_2 |= frame.version == Version::V2;
         if frame.id == CommandId::Reset.raw() {
             tracing::warn!("the board is being reset");
             self.registrations.on_reset(now);

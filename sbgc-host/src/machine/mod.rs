@@ -114,6 +114,8 @@ pub struct Machine<W> {
     setup: Setup,
     state: LinkState,
     version: Version,
+    /// Whether a frame of version 2 has come, to whomever: such a board takes nothing else until it restarts.
+    heard_version_2: bool,
     decoder: Decoder,
     last_read: Duration,
     session: Session<Who<W>>,
@@ -139,6 +141,7 @@ impl<W: Waiter> Machine<W> {
         Self {
             state: LinkState::Open,
             version: setup.version,
+            heard_version_2: false,
             decoder: Decoder::new(Versions::Both),
             last_read: Duration::ZERO,
             session: Session::new(Who::is_gone),
@@ -166,6 +169,11 @@ impl<W: Waiter> Machine<W> {
     /// The version in which frames go out.
     pub const fn version(&self) -> Version {
         self.version
+    }
+
+    /// Whether the board has sent anything in version 2.
+    pub const fn has_heard_version_2(&self) -> bool {
+        self.heard_version_2
     }
 
     /// Sends frames in this version from now on.

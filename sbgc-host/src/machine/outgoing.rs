@@ -39,6 +39,15 @@ impl<W: Waiter> Machine<W> {
         while let Some(StreamChange { number, payload, stop, overtakes }) =
             self.registrations.next_request(now)
         {
+            if overtakes {
+                // Else it would be repeated after what takes it back.
+                let is_start =
+                    |who: &Who<W>| matches!(who, Who::Stream { number: of, stop: false } if *of == number);
+                let begun = self.session.give_up(now, is_start);
+                if let Some(start) = begun.filter(|start| self.batch.withdraw(*start)) {
+                    self.session.withdrawn(start);
+                }
+            }
             let command = CommandId::DataStreamInterval.raw();
             let (timeout, attempts) = (self.setup.timeout, self.setup.attempts.max(1));
             // Confirmations of two of them have the same bytes, so each waits for the other. What takes a start back

@@ -149,9 +149,27 @@ impl<W> Session<W> {
             .iter()
             .position(|entry| entry.expects(now) && entry.call.is_answered_by(id.into(), payload));
         match answered {
-            Some(index) => self.answer(now, index, Ok(payload)),
+            Some(index) => self.answer(now, self.repeated(index), Ok(payload)),
             None => Verdict::Unsolicited,
         }
+    }
+
+    /// Where a request stands that repeats this one, if this one has ended without its answer. What does no harm when it
+    /// is repeated is as good answered late, unless something else was asked in between.
+    fn repeated(&self, index: usize) -> usize {
+        let Some(ended) = self.sent.get(index).filter(|entry| entry.waiter.is_none() && entry.awaited) else {
+            return index;
+        };
+        if ended.call.priority != Priority::Serial {
+            return index;
+        }
+        let later = self.sent.iter().enumerate().skip(index + 1);
+        let mut related = later.filter(|(_, entry)| entry.call.expected.overlaps(&ended.call.expected));
+        let same = |entry: &Sent<W>| {
+            (entry.call.command, &entry.call.payload) == (ended.call.command, &ended.call.payload)
+        };
+        let found = related.find(|(_, entry)| !same(entry) || entry.waiter.is_some());
+        found.filter(|(_, entry)| same(entry) && entry.written).map_or(index, |(repeat, _)| repeat)
     }
 
     /// The board rejected something: the command that it names or, in the form without a name, the oldest.
@@ -262,6 +280,18 @@ impl<W> Session<W> {
             return Some(Expired { number: entry.number, waiter, failure });
         }
         None
+    }
+
+    /// Gives up a request: it is not repeated, and not sent if that was still to come. Returns its number if it was
+    /// handed out, for it may be on its way to the port.
+    pub(super) fn give_up(&mut self, now: Duration, is_it: impl Fn(&W) -> bool) -> Option<u64> {
+        self.queued.retain(|queued| !queued.waiter.as_ref().is_some_and(&is_it));
+        let grace = self.grace();
+        let entry = self.sent.iter_mut().find(|entry| entry.waiter.as_ref().is_some_and(&is_it))?;
+        entry.waiter = None;
+        entry.again = false;
+        entry.until = now.saturating_add(GRACE).max(entry.handed_out.saturating_add(grace));
+        Some(entry.number)
     }
 
     /// The port is gone: nothing is on its way any more and nothing will be sent. Returns who waited.

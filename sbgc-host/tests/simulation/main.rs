@@ -29,6 +29,10 @@ const SEEDS: &[u64] = &[
     // The end of a stream goes on being confirmed for a while.
     15_463_567_439_642_545_307,
     3_635_416_546_227_894_113,
+    // The start of a stream is repeated after what takes it back.
+    8_125_833_899_483_306_641,
+    // Late confirmations of one end keep another from being sent.
+    7_432_720_279_735_744_453,
 ];
 
 fn run(seed: u64) -> Duration {

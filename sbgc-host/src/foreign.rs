@@ -49,7 +49,7 @@ pub fn recognise(bytes: &[u8]) -> Option<Foreign> {
     }
 }
 
-/// Start bytes of both versions, and how many bytes a frame has besides its payload.
+/// Start bytes of both versions, and the number of bytes of a frame besides its payload.
 const FORMS: [(u8, usize); 2] = [(0xFE, 8), (0xFD, 12)];
 
 /// Whether a whole MAVLink frame is in the bytes, followed by the start of another.

@@ -35,7 +35,7 @@ impl Shape {
         Some(Self::new(source.cmd_id(), source.config().0.0))
     }
 
-    /// How many payload bytes a sample has, where that is known.
+    /// Payload length of a sample in bytes, where that is known.
     pub fn length(&self) -> Option<usize> {
         self.expected.answer_len()
     }

@@ -385,7 +385,7 @@ fn times(time: Duration, count: usize) -> Duration {
     time.saturating_mul(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
-/// How many of `most` bytes a line carries in `time`.
+/// Number of bytes that a line carries in `time`, at most `most`.
 fn carried(byte_time: Option<Duration>, time: Duration, most: usize) -> usize {
     byte_time.map_or(most, |byte_time| {
         let count = time.as_nanos().checked_div(byte_time.as_nanos()).unwrap_or_default();

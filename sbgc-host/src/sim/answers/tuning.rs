@@ -30,7 +30,7 @@ use crate::sim::reply::{Packet, Refusal, Replies, Reply, done};
 const TUNING: Duration = Duration::from_secs(8);
 const PROGRESS: Duration = Duration::from_millis(500);
 
-/// How many samples a message of a Bode test has.
+/// Number of samples in a message of a Bode test.
 const SAMPLES: u32 = 20;
 
 /// What marks a configuration of tuning in the EEPROM.

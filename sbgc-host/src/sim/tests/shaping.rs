@@ -34,7 +34,7 @@ fn angle(degrees: f32) -> Control {
     in_yaw(ControlMode::ANGLE, ControlAxis::angle(Angle::from_degrees(degrees)))
 }
 
-/// The greatest acceleration, and the greatest change of it in a second, of a recorded motion up to just before its end.
+/// Maximum acceleration of a recorded motion up to just before its end, and its maximum change per second.
 fn peaks(bench: &Bench, end: f64) -> (f64, f64) {
     let moments = bench.board.motion().recorded().iter();
     let on_the_way = moments.take_while(|moment| (moment.angles.yaw - end).abs() > 0.01);
